@@ -1,0 +1,1 @@
+"""Build time only: derives, proves and generates. Nothing here is imported at run time."""

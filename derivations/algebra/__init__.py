@@ -1,0 +1,1 @@
+"""Algebra of any mechanism: vectors, screws, graphs of equations, identities."""

@@ -1,0 +1,1 @@
+"""From named equations to source text: kernels, lowering, printers, the written tree."""

@@ -1,0 +1,1 @@
+"""One file a language; each spells the same lowered program."""
