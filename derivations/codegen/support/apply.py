@@ -1,7 +1,8 @@
 """Run a kernel's straight-line body over arrays of poses, block by block.
 
-Blocks keep the body's temporaries in cache; inputs are broadcast by the body itself, so
-that no input is ever copied to the shape of the batch.
+Blocks keep the body's temporaries in cache, and a block's inputs are gathered once, since
+the components of a pose lie apart in memory. Inputs are broadcast by the body itself, so
+that none is ever copied to the shape of the batch.
 """
 
 from __future__ import annotations
@@ -16,7 +17,7 @@ from numpy.typing import ArrayLike, NDArray
 Array = NDArray[np.float64]
 Shape = tuple[int, ...]
 #: Poses in a block.
-BLOCK = 4096
+BLOCK = 8192
 
 
 def apply(
@@ -47,7 +48,7 @@ def apply(
         for slab in slabs(lead):
             body(
                 *(result[(..., *slab)] for result in results),
-                *(part[(..., *_fit(slab, part))] for part in parts),
+                *(np.ascontiguousarray(part[(..., *_fit(slab, part))]) for part in parts),
             )
     return [
         result.transpose(*range(len(core), result.ndim), *range(len(core)))

@@ -1,0 +1,43 @@
+# The one list of commands; .ci/run calls nothing else.
+PYTHON ?= python3
+VENV := .venv
+BIN := $(VENV)/bin
+READY := $(VENV)/.ready
+
+.PHONY: help derive check-generated latex paper test lint bench clean
+
+help: ## this list
+	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-16s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
+
+$(READY): pyproject.toml
+	@$(PYTHON) -c 'import sys; sys.exit("Python 3.11 or newer is needed, this is %d.%d" % sys.version_info[:2] if sys.version_info < (3, 11) else 0)'
+	$(PYTHON) -m venv $(VENV)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
+	@touch $@
+
+derive: $(READY) ## derive, prove and regenerate generated/
+	@$(BIN)/python -m derivations derive
+
+check-generated: $(READY) ## regenerate aside and compare byte by byte
+	@$(BIN)/python -m derivations check
+
+latex: derive ## the formulas as .tex files, one document and one HTML page
+	@$(BIN)/python -m derivations where
+
+paper: $(READY) ## the paper's numbers beside the computed ones, and docs/audit.md
+	@$(BIN)/python -m kleinform.paper
+
+test: $(READY) check-generated ## all tests, the freshness of generated/ and the wheel
+	@$(BIN)/python -m pytest
+
+lint: $(READY) ## ruff and mypy
+	$(BIN)/ruff check .
+	$(BIN)/ruff format --check .
+	$(BIN)/mypy
+
+bench: $(READY) ## measure against peers, side by side
+	@$(BIN)/python -m benchmarks
+
+clean: ## remove everything that make created, but for generated/
+	rm -rf $(VENV) build dist .pytest_cache .ruff_cache .mypy_cache .hypothesis
+	find . -name __pycache__ -type d -prune -exec rm -rf {} +

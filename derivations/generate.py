@@ -1,0 +1,132 @@
+"""From the mechanism to the text of every generated file; nothing is written here."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterable
+from dataclasses import dataclass
+from pathlib import Path
+
+import sympy
+
+from derivations.codegen.lower import Program, lower, prove_lowering
+from derivations.codegen.printers import mpmath, numpy
+from derivations.codegen.printers.python import class_name
+from derivations.codegen.tree import manifest
+from derivations.uncoupled.counterexamples import counterexamples
+from derivations.uncoupled.identities import identities
+from derivations.uncoupled.kernels import kernels
+from derivations.uncoupled.rendering import latex_files
+
+__all__ = ["Generated", "generate"]
+
+NOTICE = """\
+# Generated from derivations/ by "make derive"; do not edit.
+# SPDX-License-Identifier: BSD-3-Clause
+"""
+SUPPORT = Path(__file__).parent / "codegen" / "support" / "apply.py"
+
+
+@dataclass(frozen=True)
+class Generated:
+    """Every file's text by its path in the package, and what the table reports."""
+
+    files: dict[str, str]
+    equations: int
+    identities: int
+    proven: int
+    counterexamples: int
+    lowered: int
+    programs: tuple[Program, ...]
+
+
+def generate() -> Generated:
+    """Derive, prove and print everything.
+
+    Raises
+    ------
+    DerivationError
+        An equation uses what is not defined, or lowering changed it.
+    IdentityError
+        A claim does not reduce to zero, or a counter-example does not contradict its claim.
+    """
+    programs = tuple(lower(kernel) for kernel in kernels())
+    lowered = sum(prove_lowering(program) for program in programs)
+    proofs, proven = _prove()
+    files = _package(programs)
+    files["uncoupled/proofs.json"] = (
+        json.dumps(proofs, indent=1, ensure_ascii=False, sort_keys=False) + "\n"
+    )
+    files |= {f"uncoupled/latex/{name}": text for name, text in latex_files().items()}
+    files["manifest.json"] = manifest(files, _facts(programs))
+    return Generated(
+        files=files,
+        equations=len(_equation_names(programs)),
+        identities=len(proofs["identities"]),
+        proven=proven,
+        counterexamples=len(proofs["counterexamples"]),
+        lowered=lowered,
+        programs=programs,
+    )
+
+
+def _prove() -> tuple[dict[str, list[dict[str, object]]], int]:
+    """Prove every identity, check every counter-example, and record both."""
+    proven = [(identity, identity.prove()) for identity in identities()]
+    claims = [
+        {
+            "name": identity.name,
+            "number": identity.number,
+            "claim": identity.claim,
+            "expressions": count,
+        }
+        for identity, count in proven
+    ]
+    refuted = [
+        {
+            "name": example.name,
+            "number": example.number,
+            "claim": example.claim,
+            "facts": {name: str(value) for name, value in example.check().items()},
+        }
+        for example in counterexamples()
+    ]
+    return {"identities": claims, "counterexamples": refuted}, sum(count for _, count in proven)
+
+
+def _package(programs: tuple[Program, ...]) -> dict[str, str]:
+    """The Python files."""
+    names = [program.kernel.name for program in programs]
+    exported = sorted([*names, *map(class_name, names)])
+    listed = "\n".join(f"    {name}," for name in exported)
+    quoted = "\n".join(f'    "{name}",' for name in exported)
+    modules = {
+        "__init__.py": '"""Generated kernels, one subpackage a mechanism; NumPy is all they need."""\n',
+        "_apply.py": SUPPORT.read_text(encoding="utf-8"),
+        "uncoupled/__init__.py": (
+            '"""Kernels of the uncoupled manipulator 3-RPRRC+RRPRU, on NumPy arrays."""\n\n'
+            f"from kleinform_kernels.uncoupled.numpy_kernels import (\n{listed}\n)\n\n"
+            f"__all__ = [\n{quoted}\n]\n"
+        ),
+        "uncoupled/numpy_kernels.py": numpy.print_module(list(programs)),
+        "uncoupled/mpmath_kernels.py": mpmath.print_module(list(programs)),
+    }
+    return {name: NOTICE + text for name, text in modules.items()} | {"py.typed": ""}
+
+
+def _facts(programs: tuple[Program, ...]) -> dict[str, object]:
+    """What the manifest says of the derivation."""
+    listed = {
+        program.kernel.name: {
+            "inputs": {entry.name: list(entry.shape) for entry in program.kernel.inputs},
+            "outputs": {entry.name: list(entry.shape) for entry in program.kernel.outputs},
+            "operations": program.operations,
+        }
+        for program in programs
+    }
+    return {"sympy": sympy.__version__, "kernels": listed}
+
+
+def _equation_names(programs: Iterable[Program]) -> set[str]:
+    """Equations that kernels stand on, each counted once."""
+    return {equation.name for program in programs for equation in program.kernel.graph}

@@ -1,0 +1,371 @@
+"""The uncoupled manipulator 3-RPRRC+RRPRU: checks, kernels, named results."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from kleinform.errors import InputError, NotFiniteError
+from kleinform.generated import kernels
+from kleinform.pose import Pose, check_pose
+from kleinform.results import Jacobians, Screws, Singularity, Survey
+from kleinform.screening import Errors, RotationLike, real_array
+from kleinform.tracking import track
+
+__all__ = ["UncoupledManipulator"]
+
+Array = NDArray[np.float64]
+
+
+class UncoupledManipulator:
+    """The manipulator of the paper, with an ideal geometry: base and platform angles of 120°.
+
+    Positions are in metres, angles in radians, everything is in the base frame O_XYZ. Leading
+    axes of all arguments broadcast, the radius among them; trailing axes are the mathematical
+    shape. Joint order: q1, q2, q3 [m], q4, q5 [rad], q6 [m].
+
+    Parameters
+    ----------
+    radius : array_like (...)
+        Radius a of the circle through A_1, A_2, A_3 [m], positive.
+    rounding : float
+        A factor f counts as zero when ``|f| <= rounding * eps * scale(f)``, where the scale
+        is the size of the terms that f is a sum of, and eps is that of float64.
+
+    Notes
+    -----
+    With ``errors="raise"``, the default of every method, the first broken rule raises an
+    error that names the first offending pose and the number of them, and has their mask.
+    With ``errors="nan"`` the offending rows, and they alone, are NaN. Wrong shapes and dtypes
+    always raise.
+    """
+
+    def __init__(self, radius: ArrayLike = 1.0, *, rounding: float = 16.0) -> None:
+        self.radius = real_array("radius", radius, ())
+        if not np.isfinite(self.radius).all():
+            raise NotFiniteError("radius: NaN or inf")
+        if not (self.radius > 0.0).all():
+            raise InputError(f"radius: positive is needed, {self.radius.min()} arrived")
+        if not (np.isfinite(rounding) and rounding >= 0.0):
+            raise InputError(f"rounding: at least zero is needed, {rounding} arrived")
+        self.rounding = float(rounding)
+
+    def __repr__(self) -> str:
+        return f"UncoupledManipulator(radius={self.radius[()]!r}, rounding={self.rounding!r})"
+
+    # Displacement analysis --------------------------------------------------------------
+
+    def inverse_displacement(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        *,
+        azimuth: ArrayLike | None = None,
+        errors: Errors = "raise",
+    ) -> Array:
+        """Joint values of a pose, equations (10) and (11).
+
+        Parameters
+        ----------
+        position : array_like (..., 3)
+            Position of C [m].
+        rotation : array_like (..., 3, 3), or anything with ``as_matrix()``
+            Rotation of the platform; its columns are n_1, the platform's y axis, its normal.
+        azimuth : array_like (...), optional
+            q4 [rad] for the poses with C on the Z axis, where the position leaves it free.
+        errors : {"raise", "nan"}
+
+        Returns
+        -------
+        array (..., 6)
+            q1, q2, q3 [m], q4 in (−π, π], q5 in [−π/2, π/2] [rad], q6 [m].
+
+        Raises
+        ------
+        SingularPoseError
+            ``n_i·u_i = 0`` (B_i is not defined), or C on the Z axis without ``azimuth``,
+            or C at O.
+        InputError
+            An argument broke a rule of its own: shape, dtype, NaN or inf, no rotation.
+        """
+        pose = check_pose(self, position, rotation, errors, azimuth=azimuth)
+        result = kernels.inverse_displacement(pose.radius, pose.position, pose.rotation)
+        pose.reject_zero_incidence(result.incidence)
+        pose.reject_axis(result.radial, result.joints[..., 5])
+        if pose.azimuth is not None:
+            on_axis = pose.on_axis(result.radial, result.joints[..., 5])
+            result.joints[..., 3] = np.where(on_axis, pose.azimuth, result.joints[..., 3])
+        pose.screen.blank(result.joints)
+        return result.joints
+
+    # Velocity analysis ------------------------------------------------------------------
+
+    def screws(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        *,
+        azimuth: ArrayLike | None = None,
+        errors: Errors = "raise",
+    ) -> Screws:
+        """The joint screws of the four limbs at pole C, Section IV.
+
+        Parameters are those of `inverse_displacement`.
+
+        Returns
+        -------
+        Screws
+            ``.limb_1``, ``.limb_2``, ``.limb_3``, ``.central``, each (..., 6, 6), a row a
+            joint, and ``.screw(limb, joint)``.
+
+        Raises
+        ------
+        SingularPoseError
+            ``n_i·u_i = 0`` or ``q_i = 0`` (the leg has no direction), or C on the Z axis
+            without ``azimuth``, or C at O.
+        InputError
+        """
+        pose = check_pose(self, position, rotation, errors, azimuth=azimuth)
+        result = kernels.screws(pose.radius, pose.position, pose.rotation, pose.heading())
+        pose.reject_legs(result)
+        pose.reject_axis(result.radial, result.central_length)
+        screws = Screws(result.limb1, result.limb2, result.limb3, result.limb4)
+        pose.screen.blank(*screws)
+        return screws
+
+    def jacobians(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        *,
+        azimuth: ArrayLike | None = None,
+        errors: Errors = "raise",
+    ) -> Jacobians:
+        """Forward Jacobian J_v (18) and inverse Jacobian J_q (19), ``J_vᵀ Δ V = J_q q̇``.
+
+        Parameters, errors as in `screws`. A Jacobian that is singular is returned, not
+        refused.
+
+        Returns
+        -------
+        Jacobians
+            ``(J_v, J_q)``, each (..., 6, 6). The columns of J_v are S_1, S_2, S_3 and the
+            wrist screws, each ``[primal; dual]``.
+        """
+        pose = check_pose(self, position, rotation, errors, azimuth=azimuth)
+        result = kernels.jacobians(pose.radius, pose.position, pose.rotation, pose.heading())
+        pose.reject_legs(result)
+        pose.reject_axis(result.radial, result.central_length)
+        pose.screen.blank(result.J_v, result.J_q)
+        return Jacobians(result.J_v, result.J_q)
+
+    def inverse_velocity(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        twist: ArrayLike,
+        *,
+        errors: Errors = "raise",
+    ) -> Array:
+        """Joint rates of a twist, equations (15) and (16) solved without a matrix.
+
+        Parameters
+        ----------
+        position, rotation, errors
+            As in `inverse_displacement`.
+        twist : array_like (..., 6)
+            ``[omega, v_C]``: angular velocity [rad/s] and velocity of C [m/s].
+
+        Returns
+        -------
+        array (..., 6)
+            q̇1, q̇2, q̇3 [m/s], q̇4, q̇5 [rad/s], q̇6 [m/s].
+
+        Raises
+        ------
+        SingularPoseError
+            ``q6 cos q5 = 0``, or ``n_i·u_i = 0``, or ``q_i = 0``: inverse singularities. Not
+            at the wrist singularity, which cancels.
+        InputError
+        """
+        motion = real_array("twist", twist, (6,))
+        pose = check_pose(self, position, rotation, errors, twist=motion)
+        halves = motion.reshape((*motion.shape[:-1], 2, 3))
+        result = kernels.inverse_velocity(pose.radius, pose.position, pose.rotation, halves)
+        pose.reject_legs(result)
+        pose.reject_zero(
+            "inverse singularity, q6 cos q5 = 0", result.radial, result.central_length
+        )
+        pose.screen.blank(result.rates)
+        return result.rates
+
+    def forward_velocity(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        rates: ArrayLike,
+        *,
+        azimuth: ArrayLike | None = None,
+        errors: Errors = "raise",
+    ) -> Array:
+        """Twist of given joint rates, equation (17) solved in decoupled closed form.
+
+        Parameters
+        ----------
+        position, rotation, azimuth, errors
+            As in `inverse_displacement`.
+        rates : array_like (..., 6)
+            q̇1, q̇2, q̇3 [m/s], q̇4, q̇5 [rad/s], q̇6 [m/s].
+
+        Returns
+        -------
+        array (..., 6)
+            ``[omega, v_C]`` in rad/s and m/s.
+
+        Raises
+        ------
+        SingularPoseError
+            ``e_i = 0`` or ``det[n_i × (d_i − c)] = 0``: direct singularities; or the errors of
+            `screws`. Not at the wrist singularity, which cancels.
+        InputError
+        """
+        speeds = real_array("rates", rates, (6,))
+        pose = check_pose(self, position, rotation, errors, azimuth=azimuth, rates=speeds)
+        result = kernels.forward_velocity(
+            pose.radius, pose.position, pose.rotation, pose.heading(), speeds
+        )
+        pose.reject_legs(result)
+        for i in range(3):
+            pose.reject_zero(
+                f"direct singularity, e_{i + 1} = 0",
+                result.extension[..., i],
+                result.extension_scale[..., i],
+            )
+        pose.reject_zero(
+            "direct singularity, det[n_i × (d_i − c)] = 0",
+            result.orientation,
+            result.orientation_scale,
+        )
+        pose.reject_axis(result.radial, result.central_length)
+        pose.screen.blank(result.twist)
+        return result.twist
+
+    # Singularity analysis ---------------------------------------------------------------
+
+    def inverse_singularity(
+        self, position: ArrayLike, rotation: RotationLike, *, errors: Errors = "raise"
+    ) -> Singularity:
+        """det J_q and its factors, equations (22) to (26).
+
+        ``det J_q`` is the product of the factors ``limb_1``, ``limb_2``, ``limb_3`` (Klein
+        forms of S_i and the actuated screw), ``central`` (q6² cos q5) and ``wrist``
+        ((n_1 × n_2)·λ).
+
+        Parameters
+        ----------
+        position, rotation, errors
+            As in `inverse_displacement`. A singular pose never raises here; a factor is NaN
+            only where it is 0/0: ``limb_i`` at q_i = 0, ``wrist`` at c = 0.
+        """
+        pose = check_pose(self, position, rotation, errors)
+        result = kernels.inverse_singularity(pose.radius, pose.position, pose.rotation)
+        names = ("limb", "central", "wrist")
+        return self._singularity(pose, result, names)
+
+    def direct_singularity(
+        self, position: ArrayLike, rotation: RotationLike, *, errors: Errors = "raise"
+    ) -> Singularity:
+        """det J_v and its factors, which the paper leaves out.
+
+        ``det J_v = −∏(e_i / |d_i − b_i|) · orientation · wrist`` with the factors
+        ``extension_1`` to ``extension_3`` (e_i), ``orientation`` (det[n_i × (d_i − c)]) and
+        ``wrist``.
+
+        Parameters
+        ----------
+        position, rotation, errors
+            As in `inverse_singularity`. At ``n_i·u_i = 0`` the point B_i is at infinity, and
+            so are e_i and what contains it.
+        """
+        pose = check_pose(self, position, rotation, errors)
+        result = kernels.direct_singularity(pose.radius, pose.position, pose.rotation)
+        return self._singularity(pose, result, ("extension", "orientation", "wrist"))
+
+    def survey(
+        self, position: ArrayLike, rotation: RotationLike, *, errors: Errors = "raise"
+    ) -> Survey:
+        """Joint values, extensions, both determinants and all factors in one pass.
+
+        Parameters
+        ----------
+        position, rotation, errors
+            As in `inverse_singularity`: no pose is refused for being singular. On the Z axis
+            q4 is atan2(0, 0) = 0.
+        """
+        pose = check_pose(self, position, rotation, errors)
+        result = kernels.survey(pose.radius, pose.position, pose.rotation)
+        pose.screen.blank(*result)
+        names = ("limb", "central", "wrist", "extension", "orientation")
+        return Survey(
+            joints=result.joints,
+            extension=result.extension,
+            inverse_determinant=result.inverse_determinant[()],
+            direct_determinant=result.direct_determinant[()],
+            factors=_by_name(result, names, ""),
+            scales=_by_name(result, names, "_scale"),
+            rounding=self.rounding,
+            valid=pose.screen.valid,
+        )
+
+    def _singularity(self, pose: Pose, result: Any, names: tuple[str, ...]) -> Singularity:
+        pose.screen.blank(*result)
+        return Singularity(
+            determinant=result.determinant[()],
+            factors=_by_name(result, names, ""),
+            scales=_by_name(result, names, "_scale"),
+            rounding=self.rounding,
+            valid=pose.screen.valid,
+        )
+
+    # Motion -----------------------------------------------------------------------------
+
+    def track(
+        self, joints: ArrayLike, start_rotation: RotationLike
+    ) -> tuple[Array, Array]:
+        """Follow one assembly mode along a motion of the joints.
+
+        Parameters
+        ----------
+        joints : array_like (T, 6)
+            Joint values over time; samples are joined by straight segments of joint space.
+        start_rotation : array_like (3, 3), or anything with ``as_matrix()``
+            A rotation near that of the mode to follow at the first sample.
+
+        Returns
+        -------
+        positions : array (T, 3)
+        rotations : array (T, 3, 3)
+
+        Raises
+        ------
+        TrackingError
+            It names the sample: Newton's method cannot be trusted to stay on the mode, or a
+            factor of the direct singularity changes its sign.
+        JointRangeError, InputError
+        """
+        return track(self, joints, start_rotation)
+
+
+def _by_name(result: Any, names: tuple[str, ...], suffix: str) -> Mapping[str, Array]:
+    """A kernel's factors by name; those of limbs become ``name_1``, ``name_2``, ``name_3``."""
+    named = {}
+    for name in names:
+        value = getattr(result, name + suffix)
+        if name in ("limb", "extension"):
+            named.update({f"{name}_{i + 1}": value[..., i][()] for i in range(3)})
+        else:
+            named[name] = value[()]
+    return named

@@ -1,0 +1,116 @@
+"""A pose as it arrived, checked, and what makes it singular."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from kleinform.errors import SingularPoseError
+from kleinform.results import is_zero
+from kleinform.screening import (
+    Errors,
+    RotationLike,
+    Screen,
+    lead_of,
+    real_array,
+    reject_bad_numbers,
+    reject_bad_rotations,
+    rotation_array,
+)
+
+__all__ = ["Pose", "check_pose"]
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+
+class Geometry(Protocol):
+    """What a pose needs to know of the manipulator."""
+
+    radius: Array
+    rounding: float
+
+
+@dataclass(frozen=True)
+class Pose:
+    """Checked arguments; every method refuses the rows in which something vanishes."""
+
+    radius: Array
+    rounding: float
+    position: Array
+    rotation: Array
+    azimuth: Array | None
+    screen: Screen
+
+    def reject_zero(self, rule: str, value: Array, scale: Array | float) -> None:
+        """Refuse the poses at which a value is zero within its rounding."""
+        self.screen.reject(is_zero(value, scale, self.rounding), SingularPoseError, rule, value)
+
+    def reject_zero_incidence(self, incidence: Array) -> None:
+        """Refuse ``n_i·u_i = 0``: the line of B_i is parallel to the plane of its leg."""
+        for i in range(3):
+            name = f"n_{i + 1}·u_{i + 1} = 0, B_{i + 1} is not defined"
+            self.reject_zero(name, incidence[..., i], 1.0)
+
+    def reject_legs(self, result: Any) -> None:
+        """Refuse ``n_i·u_i = 0`` and ``q_i = 0``."""
+        self.reject_zero_incidence(result.incidence)
+        for i in range(3):
+            name = f"q_{i + 1} = 0, leg {i + 1} has no direction"
+            self.reject_zero(name, result.scaled_legs[..., i], result.reach)
+
+    def on_axis(self, radial: Array, length: Array) -> Mask:
+        """Where C lies on the Z axis within rounding."""
+        return is_zero(radial, length, self.rounding)
+
+    def reject_axis(self, radial: Array, length: Array) -> None:
+        """Refuse C at O, and C on the Z axis unless an azimuth is given."""
+        self.screen.reject(
+            length == 0.0, SingularPoseError, "q6 = 0, the central limb has no direction"
+        )
+        if self.azimuth is None:
+            rule = "C is on the Z axis, q4 is free: give azimuth="
+            self.reject_zero(rule, radial, length)
+
+    def heading(self) -> Array:
+        """A horizontal vector at azimuth q4: (c_x, c_y), or as given on the Z axis."""
+        planar = self.position[..., :2]
+        if self.azimuth is None:
+            return planar
+        radial = np.hypot(planar[..., 0], planar[..., 1])
+        length = np.hypot(radial, self.position[..., 2])
+        given = np.stack([np.cos(self.azimuth), np.sin(self.azimuth)], axis=-1)
+        return np.where(self.on_axis(radial, length)[..., np.newaxis], given, planar)
+
+
+def check_pose(
+    robot: Geometry,
+    position: ArrayLike,
+    rotation: RotationLike,
+    errors: Errors,
+    *,
+    azimuth: ArrayLike | None = None,
+    **others: Array,
+) -> Pose:
+    """Check a pose and what comes with it; ``others`` are arrays ``(..., n)`` by name."""
+    place = real_array("position", position, (3,))
+    turn, tolerance = rotation_array(rotation)
+    angle = None if azimuth is None else real_array("azimuth", azimuth, ())
+    shapes = {
+        "radius": robot.radius.shape,
+        "position": place.shape[:-1],
+        "rotation": turn.shape[:-2],
+        **({} if angle is None else {"azimuth": angle.shape}),
+        **{name: array.shape[:-1] for name, array in others.items()},
+    }
+    screen = Screen(lead_of(**shapes), errors)
+    reject_bad_numbers(screen, "position", place, 1)
+    reject_bad_rotations(screen, turn, tolerance)
+    if angle is not None:
+        reject_bad_numbers(screen, "azimuth", angle, 0)
+    for name, array in others.items():
+        reject_bad_numbers(screen, name, array, 1)
+    return Pose(robot.radius, robot.rounding, place, turn, angle, screen)

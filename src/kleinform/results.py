@@ -1,0 +1,119 @@
+"""What the analyses return: arrays with names, the factors of singularities among them."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kleinform.errors import InputError
+
+__all__ = ["Jacobians", "Screws", "Singularity", "Survey"]
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+EPS = float(np.finfo(np.float64).eps)
+
+
+class Jacobians(NamedTuple):
+    """``J_vᵀ Δ V = J_q q̇`` (17): the forward Jacobian (18) and the inverse one (19)."""
+
+    J_v: Array
+    J_q: Array
+
+
+class Screws(NamedTuple):
+    """The joint screws at pole C, in the base frame.
+
+    Each field is ``(..., 6, 6)``: a row a joint in the order of the limb's chain from the
+    base, each row ``[primal; dual]``. Joints of a limb 1 to 3: base revolute, prismatic
+    (actuated), revolute along the leg, upper revolute, cylindrical rotation, cylindrical
+    translation. Joints of the central limb: azimuth, elevation, prismatic (all actuated),
+    revolute along the limb, first and second axis of the universal joint.
+    """
+
+    limb_1: Array
+    limb_2: Array
+    limb_3: Array
+    central: Array
+
+    def screw(self, limb: int, joint: int) -> Array:
+        """The screw ``(..., 6)`` of joint 1 to 6 of limb 1 to 4, numbered as in the paper."""
+        if limb not in (1, 2, 3, 4) or joint not in (1, 2, 3, 4, 5, 6):
+            raise InputError(
+                f"limb 1 to 4 and joint 1 to 6 are needed, limb {limb!r}, joint {joint!r} arrived"
+            )
+        return self[limb - 1][..., joint - 1, :]
+
+
+def is_zero(value: Array, scale: Array | float, rounding: float) -> Mask:
+    """Whether a finite value is zero within its rounding, ``|f| <= rounding eps scale``."""
+    # An infinite value against an infinite scale is no zero.
+    return (abs(value) <= rounding * EPS * np.asarray(scale)) & np.isfinite(value)
+
+
+class _Factors:
+    """Named factors, their scales, and which of them vanish."""
+
+    factors: Mapping[str, Array]
+    scales: Mapping[str, Array]
+    rounding: float
+
+    def vanishing(self) -> dict[str, Mask]:
+        """For each factor, where it counts as zero: ``|f| <= rounding eps scale``."""
+        return {
+            name: is_zero(value, self.scales[name], self.rounding)
+            for name, value in self.factors.items()
+        }
+
+
+@dataclass(frozen=True)
+class Singularity(_Factors):
+    """A determinant and the factors that can make it vanish.
+
+    Attributes
+    ----------
+    determinant : array (...)
+        det J_q [m²] or det J_v [m³].
+    factors, scales : mapping of name to array (...)
+        Each factor, and the size of the terms that it is a sum of, in the factor's unit.
+    rounding : float
+        The k of "a factor is zero when |f| <= k eps scale".
+    valid : bool array (...)
+        False in rows that ``errors="nan"`` blanked.
+    """
+
+    determinant: Array
+    factors: Mapping[str, Array]
+    scales: Mapping[str, Array]
+    rounding: float
+    valid: Mask
+
+
+@dataclass(frozen=True)
+class Survey(_Factors):
+    """Displacement and singularity analysis of poses in one pass.
+
+    Attributes
+    ----------
+    joints : array (..., 6)
+        q1 ... q6 in m, m, m, rad, rad, m.
+    extension : array (..., 3)
+        Signed distances e_i from C to B_i [m].
+    inverse_determinant, direct_determinant : array (...)
+        det J_q [m²] and det J_v [m³].
+    factors, scales, rounding, valid
+        As in `Singularity`; the factors of both determinants.
+    """
+
+    joints: Array
+    extension: Array
+    inverse_determinant: Array
+    direct_determinant: Array
+    factors: Mapping[str, Array]
+    scales: Mapping[str, Array]
+    rounding: float
+    valid: Mask

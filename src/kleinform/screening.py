@@ -1,0 +1,161 @@
+"""Checks of arguments and of poses, over batches: raise, or mark rows and go on."""
+
+from __future__ import annotations
+
+from typing import Any, Literal, Protocol, runtime_checkable
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from kleinform.errors import (
+    DtypeError,
+    InputError,
+    KleinformError,
+    NotARotationError,
+    NotFiniteError,
+    ShapeError,
+)
+from kleinform.generated import kernels
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+Errors = Literal["raise", "nan"]
+
+#: Largest defect of a rotation matrix: the root of its squared defects of orthonormality.
+#: float32 matrices are judged by what float32 can hold.
+ROTATION_TOLERANCE = 1e-9
+ROTATION_TOLERANCE_FLOAT32 = 2e-6
+
+
+@runtime_checkable
+class HasMatrix(Protocol):
+    """Anything that gives its matrix, such as SciPy's Rotation."""
+
+    def as_matrix(self) -> ArrayLike: ...
+
+
+RotationLike = ArrayLike | HasMatrix
+
+
+def real_array(name: str, value: ArrayLike, core: tuple[int, ...]) -> Array:
+    """The value as float64, its trailing axes checked.
+
+    Raises
+    ------
+    DtypeError
+        It is not of real numbers (booleans, complex, objects), or wider than float64.
+    ShapeError
+        It is ragged, or its trailing axes are not ``core``.
+    """
+    try:
+        array = np.asarray(value)
+    except ValueError as error:
+        raise ShapeError(f"{name}: not an array: {error}") from error
+    if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
+        raise DtypeError(f"{name}: real numbers up to float64 are needed, {array.dtype} arrived")
+    if array.shape[max(0, array.ndim - len(core)) :] != core:
+        wanted = "(" + ", ".join(["...", *map(str, core)]) + ")"
+        raise ShapeError(f"{name}: shape {wanted} is needed, {array.shape} arrived")
+    return array.astype(np.float64, copy=False)
+
+
+class Screen:
+    """Collects the rows of a batch that broke a rule.
+
+    With ``errors="raise"`` the first broken rule raises, naming the first row and their
+    number. With ``errors="nan"`` the rows are remembered and blanked in the results.
+    """
+
+    def __init__(self, lead: tuple[int, ...], errors: Errors) -> None:
+        if errors not in ("raise", "nan"):
+            raise InputError(f'errors: "raise" or "nan" is needed, {errors!r} arrived')
+        self.lead = lead
+        self.errors = errors
+        self.rejected: Mask | None = None
+
+    def reject(
+        self, broken: Any, error: type[KleinformError], rule: str, arrived: Any = None
+    ) -> None:
+        """Refuse the rows where ``broken``; ``arrived`` has the value of each row to show."""
+        if not np.any(broken):
+            return
+        mask = np.broadcast_to(np.asarray(broken, dtype=bool), self.lead)
+        if self.errors == "nan":
+            self.rejected = mask if self.rejected is None else self.rejected | mask
+            return
+        raise error(self._message(mask, rule, arrived), mask.copy())
+
+    def blank(self, *results: Array) -> None:
+        """Write NaN into the rows of results that were refused."""
+        if self.rejected is not None:
+            for result in results:
+                result[self.rejected] = np.nan
+
+    @property
+    def valid(self) -> Mask:
+        """True for the rows that kept every rule."""
+        if self.rejected is None:
+            return np.ones(self.lead, dtype=bool)
+        return ~self.rejected
+
+    def _message(self, mask: Mask, rule: str, arrived: Any) -> str:
+        first = tuple(map(int, np.argwhere(mask)[0]))
+        text = rule
+        if arrived is not None:
+            value = np.broadcast_to(arrived, self.lead + np.shape(arrived)[np.ndim(arrived) :])
+            text += f"; {float(value[first])!r} arrived"
+        if self.lead:
+            where = first[0] if len(first) == 1 else first
+            text += f", first at pose {where}; {int(mask.sum())} of {mask.size} poses"
+        return text
+
+
+def lead_of(**shapes: tuple[int, ...]) -> tuple[int, ...]:
+    """The common leading axes of arguments, given the leading axes of each.
+
+    Raises
+    ------
+    ShapeError
+        They do not broadcast.
+    """
+    try:
+        return np.broadcast_shapes(*shapes.values())
+    except ValueError:
+        listed = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
+        raise ShapeError(f"leading axes do not broadcast: {listed}") from None
+
+
+def finite_rows(array: Array, core: int) -> Mask | np.bool_:
+    """True for rows without NaN or inf; ``core`` is the number of trailing axes."""
+    finite = np.isfinite(array)
+    if finite.all():
+        return np.True_
+    rows: Mask = finite.all(axis=tuple(range(finite.ndim - core, finite.ndim)))
+    return rows
+
+
+def rotation_array(value: RotationLike) -> tuple[Array, float]:
+    """The rotation as float64 ``(..., 3, 3)`` and the defect that its precision allows."""
+    given = value.as_matrix() if isinstance(value, HasMatrix) else value
+    array = real_array("rotation", given, (3, 3))
+    single = getattr(given, "dtype", None) in (np.dtype("float32"), np.dtype("float16"))
+    return array, ROTATION_TOLERANCE_FLOAT32 if single else ROTATION_TOLERANCE
+
+
+def reject_bad_numbers(screen: Screen, name: str, array: Array, core: int) -> None:
+    """Refuse rows with NaN or inf."""
+    screen.reject(~finite_rows(array, core), NotFiniteError, f"{name}: NaN or inf")
+
+
+def reject_bad_rotations(screen: Screen, rotation: Array, tolerance: float) -> None:
+    """Refuse rows that are no rotation, NaN and inf among them."""
+    defect = kernels.rotation_defect(rotation).defect
+    if (defect <= tolerance).all():
+        return
+    reject_bad_numbers(screen, "rotation", rotation, 2)
+    screen.reject(
+        ~(defect <= tolerance),
+        NotARotationError,
+        f"rotation: not a rotation (its defect may be {tolerance})",
+        defect,
+    )

@@ -1,0 +1,176 @@
+"""Follow one assembly mode along a motion of the joints.
+
+Newton's method on the six quadratics in (n_1, n_2), generated with their Jacobian. Because
+the system is quadratic its Jacobian has a constant derivative, so that Kantorovich's
+theorem can be evaluated exactly: with ``h = ω η``, where η is the length of the first Newton
+step and ω bounds the change of the Jacobian, ``h <= 1/2`` proves that the iteration converges
+and that the solution is the only one around. A step along the motion is taken only when
+``h <= TRUST`` at its end, and is halved otherwise.
+"""
+
+from __future__ import annotations
+
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from kleinform.errors import ShapeError, TrackingError
+from kleinform.generated import kernels
+from kleinform.joints import checked_joints
+from kleinform.screening import RotationLike, Screen, reject_bad_rotations, rotation_array
+
+__all__ = ["track"]
+
+Array = NDArray[np.float64]
+
+#: Kantorovich's number up to which a step is taken; 1/2 would prove convergence at its end,
+#: and the margin covers the joint values in between.
+TRUST = 0.125
+#: A segment between two samples is halved at most so often.
+MOST_HALVINGS = 24
+MOST_ITERATIONS = 12
+#: Newton's method has converged when its step is below STEP, or below SMALL and no longer
+#: shrinking; directions are unit vectors.
+STEP = 4.0 * float(np.finfo(np.float64).eps)
+SMALL = 1e-9
+
+#: The pairs (n_1, n_2) that span their space: the Jacobian is linear in (n_1, n_2).
+BASIS = np.eye(6).reshape(6, 2, 3)
+
+
+class Robot(Protocol):
+    """What tracking needs of the manipulator."""
+
+    radius: Array
+
+    def direct_singularity(self, position: Array, rotation: Array) -> _Direct: ...
+
+
+class _Direct(Protocol):
+    factors: dict[str, Array]
+
+    def vanishing(self) -> dict[str, NDArray[np.bool_]]: ...
+
+
+def track(
+    robot: Robot, joints: ArrayLike, start_rotation: RotationLike
+) -> tuple[Array, Array]:
+    """See `UncoupledManipulator.track`."""
+    motion = _checked_motion(robot, joints)
+    start, tolerance = rotation_array(start_rotation)
+    if start.shape != (3, 3):
+        raise ShapeError(f"start_rotation: shape (3, 3) is needed, {start.shape} arrived")
+    reject_bad_rotations(Screen((), "raise"), start, tolerance)
+    radius = float(robot.radius)
+    positions = kernels.central_forward(motion[:, 3:]).position
+    rotations = np.empty((len(motion), 3, 3))
+    directions = _first(radius, motion[0], start)
+    for sample, target in enumerate(motion):
+        if sample:
+            directions = _advance(radius, motion[sample - 1], target, directions, sample)
+        rotations[sample] = _rotation(directions)
+    _refuse_crossings(robot, positions, rotations)
+    return positions, rotations
+
+
+def _checked_motion(robot: Robot, joints: ArrayLike) -> Array:
+    motion, _ = checked_joints(joints)
+    if motion.ndim != 2 or len(motion) == 0:
+        raise ShapeError(f"joints: shape (T, 6) with T >= 1 is needed, {motion.shape} arrived")
+    if robot.radius.ndim:
+        raise ShapeError(f"radius: one radius is needed, shape {robot.radius.shape} arrived")
+    return motion
+
+
+def _first(radius: float, joints: Array, guess: Array) -> Array:
+    """The solution at the first sample that Newton's method finds from the guess."""
+    turned = np.array([guess[:, 0], -0.5 * guess[:, 0] + np.sqrt(0.75) * guess[:, 1]])
+    solution = _newton(radius, joints, turned)
+    if solution is None:
+        raise TrackingError(
+            "sample 0: Newton's method does not converge from start_rotation; give one nearer "
+            "to an assembly mode of these joint values",
+            sample=0,
+        )
+    return solution
+
+
+def _advance(radius: float, start: Array, end: Array, directions: Array, sample: int) -> Array:
+    """Follow the mode along one segment of joint space, halving it where needed."""
+    done, size = 0.0, 1.0
+    while done < 1.0:
+        size = min(size, 1.0 - done)
+        joints = start + (done + size) * (end - start)
+        number = _kantorovich(radius, joints, directions)
+        reached = _newton(radius, joints, directions) if number <= TRUST else None
+        if reached is None:
+            size /= 2.0
+            if size < 2.0**-MOST_HALVINGS:
+                raise TrackingError(
+                    f"sample {sample}: the mode cannot be followed beyond {done:.6g} of the "
+                    f"segment from sample {sample - 1}: Newton's method cannot be trusted "
+                    f"there (Kantorovich's number {number:.3g}, at most {TRUST} is "
+                    "needed)",
+                    sample=sample,
+                )
+            continue
+        directions, done, size = reached, done + size, 2.0 * size
+    return directions
+
+
+def _kantorovich(radius: float, joints: Array, directions: Array) -> float:
+    """Kantorovich's number of Newton's method from some directions, affine invariant."""
+    pairs = np.concatenate([directions[np.newaxis], BASIS])
+    center = kernels.central_forward(joints[3:]).position
+    system = kernels.closure(radius, center, joints[:3], pairs)
+    # Columns: the residual, then the derivative of the Jacobian in each of six directions.
+    sides = np.concatenate([system.residual[0][:, np.newaxis], *system.jacobian[1:]], axis=1)
+    try:
+        solved = np.linalg.solve(system.jacobian[0], sides)
+    except np.linalg.LinAlgError:
+        return np.inf
+    return float(np.linalg.norm(solved[:, 0]) * np.linalg.norm(solved[:, 1:]))
+
+
+def _newton(radius: float, joints: Array, directions: Array) -> Array | None:
+    """Newton's method to the end, or None when it does not get there."""
+    center = kernels.central_forward(joints[3:]).position
+    last = np.inf
+    for _ in range(MOST_ITERATIONS):
+        system = kernels.closure(radius, center, joints[:3], directions)
+        try:
+            step = np.linalg.solve(system.jacobian, system.residual)
+        except np.linalg.LinAlgError:
+            return None
+        size = float(np.linalg.norm(step))
+        directions = directions - step.reshape(2, 3)
+        # Quadratic convergence leaves rounding alone: a small step that no longer shrinks.
+        if size <= SMALL and (size <= STEP or size >= last / 2.0):
+            return directions
+        last = size
+    return None
+
+
+def _rotation(directions: Array) -> Array:
+    rotation: Array = kernels.rotation_from_directions(*directions).rotation
+    return rotation
+
+
+def _refuse_crossings(robot: Robot, positions: Array, rotations: Array) -> None:
+    """Refuse a motion along which a direct factor vanishes or changes its sign."""
+    direct = robot.direct_singularity(positions, rotations)
+    vanishing = direct.vanishing()
+    for name, factor in direct.factors.items():
+        if name == "wrist":
+            continue
+        bad = vanishing[name].copy()
+        bad[1:] |= np.sign(factor[1:]) != np.sign(factor[:-1])
+        if bad.any():
+            sample = int(np.argmax(bad))
+            raise TrackingError(
+                f"sample {sample}: the direct factor {name} vanishes or changes its sign "
+                f"({factor[max(sample - 1, 0)]:.6g} to {factor[sample]:.6g}): another assembly "
+                "mode meets this one",
+                sample=sample,
+            )
