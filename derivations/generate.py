@@ -6,13 +6,14 @@ import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from zlib import crc32
 
 import sympy
 
 from derivations.codegen.lower import Program, lower, prove_lowering
 from derivations.codegen.printers import mpmath, numpy
 from derivations.codegen.printers.python import class_name
-from derivations.codegen.tree import manifest
+from derivations.codegen.tree import SCHEMA, manifest
 from derivations.uncoupled.counterexamples import counterexamples
 from derivations.uncoupled.identities import identities
 from derivations.uncoupled.kernels import kernels
@@ -101,7 +102,6 @@ def _package(programs: tuple[Program, ...]) -> dict[str, str]:
     listed = "\n".join(f"    {name}," for name in exported)
     quoted = "\n".join(f'    "{name}",' for name in exported)
     modules = {
-        "__init__.py": '"""Generated kernels, one subpackage a mechanism; NumPy is all they need."""\n',
         "_apply.py": SUPPORT.read_text(encoding="utf-8"),
         "uncoupled/__init__.py": (
             '"""Kernels of the uncoupled manipulator 3-RPRRC+RRPRU, on NumPy arrays."""\n\n'
@@ -111,7 +111,26 @@ def _package(programs: tuple[Program, ...]) -> dict[str, str]:
         "uncoupled/numpy_kernels.py": numpy.print_module(list(programs)),
         "uncoupled/mpmath_kernels.py": mpmath.print_module(list(programs)),
     }
-    return {name: NOTICE + text for name, text in modules.items()} | {"py.typed": ""}
+    files = {name: NOTICE + text for name, text in modules.items()}
+    return files | {"__init__.py": NOTICE + _root(files), "py.typed": ""}
+
+
+def _root(files: dict[str, str]) -> str:
+    """The package's own module: what the runtime checks before it uses the kernels."""
+    sums = [f'    "{name}": {crc32(text.encode())},' for name, text in files.items()]
+    return "\n".join(
+        [
+            '"""Generated kernels, one subpackage a mechanism; NumPy is all they need."""',
+            "",
+            "#: Version of the interface between the kernels and the runtime.",
+            f"SCHEMA = {SCHEMA}",
+            "#: CRC-32 of each module, so that no edited kernel runs unnoticed.",
+            "CHECKSUMS = {",
+            *sums,
+            "}",
+            "",
+        ]
+    )
 
 
 def _facts(programs: tuple[Program, ...]) -> dict[str, object]:

@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-import hashlib
-import json
-from importlib.resources import files
+import os
+from zlib import crc32
 
 from kleinform.errors import GeneratedCodeError
 
@@ -12,32 +11,32 @@ __all__ = ["SCHEMA", "kernels"]
 
 SCHEMA = 1
 MEND = 'run "make derive", or reinstall kleinform'
-CHECKED = ("uncoupled/numpy_kernels.py", "_apply.py")
 
 try:
+    import kleinform_kernels
     from kleinform_kernels import uncoupled as kernels
 except ImportError as error:
     raise GeneratedCodeError(f"the generated kernels do not import ({error}): {MEND}") from error
 
 
 def verify() -> None:
-    """Refuse kernels of another schema, or that differ from their manifest.
+    """Refuse kernels of another schema, or edited since they were generated.
 
     Raises
     ------
     GeneratedCodeError
         The message names the command that mends it.
     """
-    root = files("kleinform_kernels")
-    manifest = json.loads((root / "manifest.json").read_text(encoding="utf-8"))
-    if manifest["schema"] != SCHEMA:
+    if kleinform_kernels.SCHEMA != SCHEMA:
         raise GeneratedCodeError(
-            f"the generated kernels have schema {manifest['schema']}, {SCHEMA} is needed: {MEND}"
+            f"the generated kernels have schema {kleinform_kernels.SCHEMA}, "
+            f"{SCHEMA} is needed: {MEND}"
         )
-    for name in CHECKED:
-        digest = hashlib.sha256(root.joinpath(name).read_bytes()).hexdigest()
-        if digest != manifest["files"][name]:
-            raise GeneratedCodeError(f"kleinform_kernels/{name} is not as generated: {MEND}")
+    root = os.path.dirname(kleinform_kernels.__file__)
+    for name, checksum in kleinform_kernels.CHECKSUMS.items():
+        with open(os.path.join(root, *name.split("/")), "rb") as file:
+            if crc32(file.read()) != checksum:
+                raise GeneratedCodeError(f"kleinform_kernels/{name} is not as generated: {MEND}")
 
 
 verify()

@@ -20,7 +20,7 @@ from kleinform.generated import kernels
 from kleinform.joints import checked_joints
 from kleinform.screening import RotationLike, Screen, reject_bad_rotations, rotation_array
 
-__all__ = ["track"]
+__all__ = ["newton", "track"]
 
 Array = NDArray[np.float64]
 
@@ -86,7 +86,7 @@ def _checked_motion(robot: Robot, joints: ArrayLike) -> Array:
 def _first(radius: float, joints: Array, guess: Array) -> Array:
     """The solution at the first sample that Newton's method finds from the guess."""
     turned = np.array([guess[:, 0], -0.5 * guess[:, 0] + np.sqrt(0.75) * guess[:, 1]])
-    solution = _newton(radius, joints, turned)
+    solution = newton(radius, joints, turned)
     if solution is None:
         raise TrackingError(
             "sample 0: Newton's method does not converge from start_rotation; give one nearer "
@@ -103,7 +103,7 @@ def _advance(radius: float, start: Array, end: Array, directions: Array, sample:
         size = min(size, 1.0 - done)
         joints = start + (done + size) * (end - start)
         number = _kantorovich(radius, joints, directions)
-        reached = _newton(radius, joints, directions) if number <= TRUST else None
+        reached = newton(radius, joints, directions) if number <= TRUST else None
         if reached is None:
             size /= 2.0
             if size < 2.0**-MOST_HALVINGS:
@@ -133,7 +133,7 @@ def _kantorovich(radius: float, joints: Array, directions: Array) -> float:
     return float(np.linalg.norm(solved[:, 0]) * np.linalg.norm(solved[:, 1:]))
 
 
-def _newton(radius: float, joints: Array, directions: Array) -> Array | None:
+def newton(radius: float, joints: Array, directions: Array) -> Array | None:
     """Newton's method to the end, or None when it does not get there."""
     center = kernels.central_forward(joints[3:]).position
     last = np.inf

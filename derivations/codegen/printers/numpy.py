@@ -26,14 +26,17 @@ contiguous. Nothing is raised for a singular pose: it gives inf, or NaN where 0/
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import TYPE_CHECKING, NamedTuple
 
-from numpy import absolute, arctan2, cos, float64, sin, sqrt
-from numpy.typing import ArrayLike, NDArray
+from numpy import absolute, arctan2, cos, sin, sqrt
 
 from kleinform_kernels._apply import apply
 
-Array = NDArray[float64]
+if TYPE_CHECKING:
+    from numpy import float64
+    from numpy.typing import ArrayLike, NDArray
+
+    Array = NDArray[float64]
 
 #: √3/2, exactly rounded.
 SQRT3_2 = 0.8660254037844386

@@ -1,0 +1,1 @@
+"""The paper's printed numbers and worked motions beside what kleinform computes."""

@@ -1,0 +1,166 @@
+"""Each printed number beside the computed one, with its difference and a verdict."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kleinform import UncoupledManipulator, rotation_from_rpy, rpy_from_rotation
+from kleinform.generated import kernels
+from kleinform.paper import printed
+from kleinform.paper.examples import example_1, example_2, quintic_coefficients
+from kleinform.tracking import newton
+
+__all__ = ["Row", "closure_rows", "motion_rows", "pose_rows", "report", "table_2_rows"]
+
+Array = NDArray[np.float64]
+ROBOT = UncoupledManipulator(radius=printed.RADIUS)
+
+
+@dataclass(frozen=True)
+class Row:
+    """One printed number, or one claim about a motion."""
+
+    item: str
+    printed: str
+    computed: str
+    difference: float
+    verdict: str
+
+    @property
+    def confirmed(self) -> bool:
+        return self.verdict.startswith("confirmed")
+
+
+def compare(item: str, text: str, computed: float, *, digits: int | None = None) -> Row:
+    """A printed number against the computed one, to the digits that are printed."""
+    places = len(text.partition(".")[2]) if digits is None else digits
+    unit = 10.0**-places
+    difference = computed - float(text)
+    if abs(difference) <= 0.5 * unit * (1.0 + 1e-9):
+        verdict = "confirmed"
+    elif 0.0 < np.sign(computed) * difference < unit:
+        verdict = "confirmed (truncated)"
+    else:
+        verdict = f"corrected: {computed:.{places}f}"
+    return Row(item, text, f"{computed:.{places + 2}f}", difference, verdict)
+
+
+def bound(item: str, claim: str, value: float, limit: float) -> Row:
+    """A difference that should not exceed a limit."""
+    verdict = "confirmed" if value <= limit else "refuted"
+    shown = f"< {limit:.0e}" if value <= limit else f"{value:.1e}"
+    return Row(item, claim, shown, value, verdict)
+
+
+def rotation_of(angles: tuple[float, float, float]) -> Array:
+    """The rotation of roll, pitch, yaw in degrees."""
+    roll, pitch, yaw = np.radians(angles)
+    return rotation_from_rpy(roll=roll, pitch=pitch, yaw=yaw)
+
+
+def start_joints() -> Array:
+    """Joint values of the paper's pose, at full precision."""
+    rotation = rotation_of(printed.ROLL_PITCH_YAW_DEGREES)
+    return ROBOT.inverse_displacement(printed.POSITION, rotation)
+
+
+def end_joints() -> Array:
+    """Joint values at the end of Example 2."""
+    rotation = rotation_of(printed.END_ROLL_PITCH_YAW_DEGREES)
+    return ROBOT.inverse_displacement(printed.END_POSITION, rotation)
+
+
+def pose_rows() -> Iterator[Row]:
+    """Section VI, first part: inverse displacement and e_i."""
+    survey = ROBOT.survey(printed.POSITION, rotation_of(printed.ROLL_PITCH_YAW_DEGREES))
+    values = survey.joints.copy()
+    values[3:5] = np.degrees(values[3:5])
+    for (name, text), value in zip(printed.JOINTS.items(), values, strict=True):
+        yield compare(name, text, float(value))
+    for (name, text), value in zip(printed.EXTENSIONS.items(), survey.extension, strict=True):
+        yield compare(name, text, float(value))
+
+
+def closure_rows() -> Iterator[Row]:
+    """Table 1: each row put back into the closure equations, then solved to full digits."""
+    joints = start_joints()
+    position = np.array(printed.POSITION)
+    for number, row in enumerate(printed.TABLE_1, start=1):
+        points = np.array(row, dtype=np.float64)
+        name = f"Table 1, row {number}"
+        squares = np.einsum("ij,ij->i", points, points)
+        residual = float(abs(squares - printed.RADIUS**2 - joints[:3] ** 2).max())
+        # Six printed digits, truncated: each square is off by up to 2e-6 times its root.
+        yield bound(f"{name}: closure (6)", "b_i·b_i = a² + q_i²", residual, 5e-6)
+        solved = nearest_mode(joints, position, points)
+        worst = float(abs(solved - points).max())
+        yield bound(f"{name}: nearest solution", "B_i to 6 digits, truncated", worst, 1e-6)
+
+
+def nearest_mode(joints: Array, position: Array, points: Array) -> Array:
+    """The B_i of the solution that Newton's method finds from printed B_i."""
+    guess = points[:2] - position
+    guess /= np.linalg.norm(guess, axis=1, keepdims=True)
+    # The signs of e_1, e_2 make n_1·n_2 negative; the pair (n, −n) is one solution.
+    if guess[0] @ guess[1] > 0.0:
+        guess[1] = -guess[1]
+    directions = newton(printed.RADIUS, joints, guess)
+    if directions is None:
+        return np.full((3, 3), np.nan)
+    rotation = kernels.rotation_from_directions(*directions).rotation
+    return kernels.inverse_displacement(printed.RADIUS, position, rotation).platform_joints
+
+
+def table_2_rows() -> Iterator[Row]:
+    """Table 2: the coefficients derived from the two poses."""
+    derived = quintic_coefficients(start_joints(), end_joints(), printed.END_TIME)
+    for joint, (texts, values) in enumerate(zip(printed.TABLE_2, derived, strict=True), start=1):
+        for power, text, value in zip((0, 3, 4, 5), texts, values, strict=True):
+            yield compare(f"Table 2: mu_{joint},{power}", text, float(value))
+
+
+def motion_rows(samples: int = 201) -> Iterator[Row]:
+    """Both motions tracked from the paper's pose; the joint values of every pose put back."""
+    start = rotation_of(printed.ROLL_PITCH_YAW_DEGREES)
+    time = np.linspace(0.0, 2.0 * np.pi, samples)
+    motions = {"Example 1": example_1(time)}
+    time = np.linspace(0.0, printed.END_TIME, samples)
+    motions["Example 2"] = example_2(time)
+    for name, joints in motions.items():
+        positions, rotations = ROBOT.track(joints, start)
+        back = ROBOT.inverse_displacement(positions, rotations)
+        worst = float(abs(back - joints).max())
+        yield bound(f"{name}: {samples} poses tracked", "joint values regained", worst, 1e-12)
+        yield from _landmarks(name, positions, rotations)
+
+
+def _landmarks(name: str, positions: Array, rotations: Array) -> Iterator[Row]:
+    """Where a motion begins or ends, beside what the paper says."""
+    if name == "Example 1":
+        angles = np.degrees(rpy_from_rotation(rotations[0]))
+        for angle, value, expected in zip(
+            ("roll", "pitch", "yaw"), angles, printed.ROLL_PITCH_YAW_DEGREES, strict=True
+        ):
+            yield compare(f"{name}: {angle} at t = 0 [deg]", f"{expected:g}", value, digits=2)
+    else:
+        end = np.degrees(rpy_from_rotation(rotations[-1]))
+        for angle, value, expected in zip(
+            ("roll", "pitch", "yaw"), end, printed.END_ROLL_PITCH_YAW_DEGREES, strict=True
+        ):
+            yield compare(f"{name}: {angle} at t = 5 s [deg]", f"{expected:g}", value, digits=2)
+        for axis, value, expected in zip("XYZ", positions[-1], printed.END_POSITION, strict=True):
+            yield compare(f"{name}: {axis} of C at t = 5 s", f"{expected:g}", value, digits=3)
+
+
+def report() -> dict[str, list[Row]]:
+    """Every row, by the part of the paper that it belongs to."""
+    return {
+        "Inverse displacement and e_i (Section VI)": list(pose_rows()),
+        "Table 1, coordinates of B_i": list(closure_rows()),
+        "Table 2, coefficients of Example 2": list(table_2_rows()),
+        "Worked motions": list(motion_rows()),
+    }
