@@ -23,7 +23,7 @@ VELOCITY = {"inverse_displacement": ("joints",), "jacobians": ("J_v", "J_q")}
 def poses(count: int) -> tuple[np.ndarray, np.ndarray]:
     """Random poses: positions around (0, 0, 1) m, rotations of any roll, pitch and yaw."""
     generator = np.random.default_rng(2021)
-    position = generator.normal(scale=0.4, size=(count, 3)) + [0.0, 0.0, 1.0]
+    position = [*generator.normal(scale=0.4, size=(count, 3)), 0.0, 0.0, 1.0]
     roll, pitch, yaw = generator.uniform(-1.2, 1.2, size=(3, count))
     return position, kleinform.rotation_from_rpy(roll=roll, pitch=pitch, yaw=yaw)
 

@@ -66,7 +66,10 @@ def table(generated: Generated, changes: dict[str, str], seconds: float) -> str:
         ("equations", f"{generated.equations}"),
         ("identities", f"{generated.identities} proven ({generated.proven} expressions, all 0)"),
         ("refuted claims", f"{generated.counterexamples}, each by an exact counter-example"),
-        ("kernels", f"{len(generated.programs)}, lowering proven ({generated.lowered} expressions)"),
+        (
+            "kernels",
+            f"{len(generated.programs)}, lowering proven ({generated.lowered} expressions)",
+        ),
         ("operations", f"{before} before common subexpressions, {after} after"),
         ("files", fate if changes else f"{files}, nothing changed"),
         ("seconds", f"{seconds:.1f}"),

@@ -54,9 +54,7 @@ class Program:
 def lower(kernel: Kernel) -> Program:
     """Order a kernel's equations, expand each to components, share what they repeat."""
     named, inlined = _named_lines(kernel)
-    results = tuple(
-        _with_constants(output.entries.xreplace(inlined)) for output in kernel.outputs
-    )
+    results = tuple(_with_constants(output.entries.xreplace(inlined)) for output in kernel.outputs)
     named = _alive(named, results)
     expressions = [line.expression for line in named]
     expressions += [entry for value in results for entry in _flat(value)]

@@ -148,7 +148,13 @@ def collected() -> list[Equation]:
     joints = matrix("q", 6, 1)
     names = [f"q{index}" for index in range(1, 7)]
     return [
-        Equation(joints, ImmutableDenseMatrix([scalar(name) for name in names]), "joint values", "(10), (11)", "m, rad"),
+        Equation(
+            joints,
+            ImmutableDenseMatrix([scalar(name) for name in names]),
+            "joint values",
+            "(10), (11)",
+            "m, rad",
+        ),
         Equation(
             matrix("e", 3, 1),
             ImmutableDenseMatrix([scalar(f"e{i}") for i in LIMBS]),

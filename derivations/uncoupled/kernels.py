@@ -120,7 +120,9 @@ def displacement_kernels() -> list[Kernel]:
                 Input("directions", Rows(n1, vector("n2")), "1", "n_1 and n_2, a row each"),
             ),
             (
-                Output("residual", matrix("F", 6, 1), "m², 1", "three cones, three unit conditions"),
+                Output(
+                    "residual", matrix("F", 6, 1), "m², 1", "three cones, three unit conditions"
+                ),
                 Output("jacobian", matrix("dF", 6, 6), "m², 1", "by (n_1, n_2)"),
             ),
         ),

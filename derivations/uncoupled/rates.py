@@ -24,7 +24,7 @@ def inverse_rates() -> list[Equation]:
     twist = Screw(omega, velocity)
     equations = []
     for i in LIMBS:
-        e, p, length = (scalar(f"{name}{i}") for name in "epl")
+        p, length = scalar(f"p{i}"), scalar(f"l{i}")
         h, m = scalar(f"h{i}"), vector(f"m{i}")
         tau, sigma = scalar(f"tau{i}"), scalar(f"sigma{i}")
         force = p * Dot(tau * m + sigma * nu, velocity)
@@ -39,7 +39,8 @@ def inverse_rates() -> list[Equation]:
                 computed_as=-(force + torque) / (p * Abs(p) * length),
             )
         )
-    return equations + [
+    return [
+        *equations,
         Equation(
             RATES[3], Dot(Cross(base_k, c), velocity) / r**2, "rate of the azimuth", "(16)", "rad/s"
         ),
@@ -103,10 +104,9 @@ def forward_twist() -> list[Equation]:
             - sigma_j * tau_k * vector(f"n{j}")
             + ROOT * sigma_j * sigma_k * nu
         )
-    return equations + [
-        Equation(
-            omega, total / (ROOT * tilt), "angular velocity", "(17)", "rad/s"
-        ),
+    return [
+        *equations,
+        Equation(omega, total / (ROOT * tilt), "angular velocity", "(17)", "rad/s"),
         Equation(matrix("V", 6, 1), Screw(omega, v), "twist of the platform", "(12)", "rad/s, m/s"),
     ]
 

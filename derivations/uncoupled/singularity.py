@@ -7,11 +7,13 @@ a for the radius. It stands beside the factor, and k is the caller's.
 
 from __future__ import annotations
 
-from sympy import Abs, ImmutableDenseMatrix, cos
+from collections.abc import Iterable
+
+from sympy import Abs, Expr, S, Symbol, cos
 
 from derivations.algebra.equations import Equation, Graph
 from derivations.algebra.screws import Klein
-from derivations.algebra.vectors import Cross, Dot, Norm, matrix, scalar, vector
+from derivations.algebra.vectors import Cross, Dot, Norm, scalar, vector
 from derivations.uncoupled.displacement import lam, q5, q6, r
 from derivations.uncoupled.geometry import LIMBS, ROOT, a, base_k, c, n1, nu
 from derivations.uncoupled.velocity import axis, screw, velocity_graph
@@ -20,14 +22,14 @@ central, wrist, orientation = scalar("central"), scalar("wrist"), scalar("orient
 tilt, reach = scalar("tilt"), scalar("reach")
 
 
-def per_limb(name: str) -> list:
+def per_limb(name: str) -> list[Symbol]:
     """The scalars of that name, one a limb."""
     return [scalar(f"{name}{i}") for i in LIMBS]
 
 
-def product(factors):
+def product(factors: Iterable[Expr]) -> Expr:
     """Their product."""
-    result = 1
+    result = S.One
     for factor in factors:
         result *= factor
     return result
@@ -37,7 +39,7 @@ def inverse_condition() -> list[Equation]:
     """(25) and (26), the second corrected: the axis is sin q4 i − cos q4 j."""
     second = Cross(Cross(n1, vector("n2")), n1)
 
-    def condition(first_a, second_b, second_a, first_b):
+    def condition(first_a: Expr, second_b: Expr, second_a: Expr, first_b: Expr) -> Expr:
         return first_a * second_b - second_a * first_b
 
     return [
@@ -151,7 +153,8 @@ def scales() -> list[Equation]:
             Equation(scalar(f"limb_scale{i}"), length / rho, f"scale of limb {i}'s Klein form"),
             Equation(scalar(f"e_scale{i}"), (a + q6) / Abs(p), f"scale of e{i}", unit="m"),
         ]
-    return equations + [
+    return [
+        *equations,
         Equation(scalar("central_scale"), q6**2, "scale of the central factor", unit="m²"),
         Equation(scalar("wrist_scale"), ROOT, "scale of the wrist factor"),
         Equation(

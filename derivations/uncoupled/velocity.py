@@ -7,7 +7,7 @@ closed form (the 3×3 of the forward velocity analysis, det J_v) becomes a short
 
 from __future__ import annotations
 
-from sympy import Abs, ImmutableDenseMatrix, MatrixSymbol, ZeroMatrix, cos, sin, sqrt
+from sympy import Abs, Expr, ImmutableDenseMatrix, MatrixSymbol, S, ZeroMatrix, cos, sin, sqrt
 
 from derivations.algebra.equations import Equation, Graph
 from derivations.algebra.screws import Klein, Screw, cylindrical, line, prismatic, revolute
@@ -88,7 +88,7 @@ def outer_screws(i: int | str) -> list[Equation]:
 
 def reciprocal_line(i: int | str) -> list[Equation]:
     """(14), (23): the line S_i from B_i to D_i and its Klein form with the actuated screw."""
-    n, m, u, t = (vector(f"{name}{i}") for name in "nmut")
+    m, t = vector(f"m{i}"), vector(f"t{i}")
     b, d = vector(f"b{i}"), vector(f"d{i}")
     e, p, gt, gz, length = (scalar(f"{name}{i}") for name in ("e", "p", "gt", "gz", "l"))
     tau, sigma, rho = (scalar(f"{name}{i}") for name in ("tau", "sigma", "rho"))
@@ -155,14 +155,14 @@ def jacobians() -> list[Equation]:
     wrist = [screw(4, joint) for joint in (4, 5, 6)]
     actuated = [screw(4, joint) for joint in (1, 2, 3)]
 
-    def entry(row: int, column: int):
+    def entry(row: int, column: int) -> Expr:
         if row < 3:
-            return scalar(f"limb{row + 1}") if row == column else 0
-        return Klein(wrist[row - 3], actuated[column - 3]) if column >= 3 else 0
+            return scalar(f"limb{row + 1}") if row == column else S.Zero
+        return Klein(wrist[row - 3], actuated[column - 3]) if column >= 3 else S.Zero
 
-    def computed(row: int, column: int):
+    def computed(row: int, column: int) -> Expr:
         if row == 3:
-            return int(column == 5)
+            return S.One if column == 5 else S.Zero
         return entry(row, column)
 
     return [
@@ -186,14 +186,14 @@ def jacobians() -> list[Equation]:
 
 def arrays() -> list[Equation]:
     """Rows of d_i, w_i, S_i and of the screws, as kernels return them."""
+
     def rows(name: str, size: int, entries: list) -> Equation:
         return Equation(matrix(name, len(entries), size), Rows(*entries), f"{name}, a row each")
 
     families = [(name, 3, [vector(f"{name.lower()}{i}") for i in LIMBS]) for name in "DW"]
     families += [("S", 6, [matrix(f"S{i}", 6, 1) for i in LIMBS])]
     families += [
-        (f"screws{limb}", 6, [screw(limb, joint) for joint in range(1, 7)])
-        for limb in (*LIMBS, 4)
+        (f"screws{limb}", 6, [screw(limb, joint) for joint in range(1, 7)]) for limb in (*LIMBS, 4)
     ]
     return [rows(*family) for family in families]
 

@@ -13,11 +13,13 @@ from kleinform.generated import kernels
 from kleinform.pose import Pose, check_pose
 from kleinform.results import Jacobians, Screws, Singularity, Survey
 from kleinform.screening import Errors, RotationLike, real_array
-from kleinform.tracking import track
+from kleinform.tracking import refuse_crossings, track
 
 __all__ = ["UncoupledManipulator"]
 
 Array = NDArray[np.float64]
+
+NO_EXTENSION = tuple(f"direct singularity, e_{i} = 0" for i in (1, 2, 3))
 
 
 class UncoupledManipulator:
@@ -93,7 +95,7 @@ class UncoupledManipulator:
         """
         pose = check_pose(self, position, rotation, errors, azimuth=azimuth)
         result = kernels.inverse_displacement(pose.radius, pose.position, pose.rotation)
-        pose.reject_zero_incidence(result.incidence)
+        pose.reject_incidence(result.incidence)
         pose.reject_axis(result.radial, result.joints[..., 5])
         if pose.azimuth is not None:
             on_axis = pose.on_axis(result.radial, result.joints[..., 5])
@@ -196,9 +198,7 @@ class UncoupledManipulator:
         halves = motion.reshape((*motion.shape[:-1], 2, 3))
         result = kernels.inverse_velocity(pose.radius, pose.position, pose.rotation, halves)
         pose.reject_legs(result)
-        pose.reject_zero(
-            "inverse singularity, q6 cos q5 = 0", result.radial, result.central_length
-        )
+        pose.reject_zero("inverse singularity, q6 cos q5 = 0", result.radial, result.central_length)
         pose.screen.blank(result.rates)
         return result.rates
 
@@ -238,12 +238,7 @@ class UncoupledManipulator:
             pose.radius, pose.position, pose.rotation, pose.heading(), speeds
         )
         pose.reject_legs(result)
-        for i in range(3):
-            pose.reject_zero(
-                f"direct singularity, e_{i + 1} = 0",
-                result.extension[..., i],
-                result.extension_scale[..., i],
-            )
+        pose.reject_zeros(NO_EXTENSION, result.extension, result.extension_scale)
         pose.reject_zero(
             "direct singularity, det[n_i × (d_i − c)] = 0",
             result.orientation,
@@ -332,9 +327,7 @@ class UncoupledManipulator:
 
     # Motion -----------------------------------------------------------------------------
 
-    def track(
-        self, joints: ArrayLike, start_rotation: RotationLike
-    ) -> tuple[Array, Array]:
+    def track(self, joints: ArrayLike, start_rotation: RotationLike) -> tuple[Array, Array]:
         """Follow one assembly mode along a motion of the joints.
 
         Parameters
@@ -356,7 +349,9 @@ class UncoupledManipulator:
             factor of the direct singularity changes its sign.
         JointRangeError, InputError
         """
-        return track(self, joints, start_rotation)
+        positions, rotations = track(self.radius, joints, start_rotation)
+        refuse_crossings(self.direct_singularity(positions, rotations))
+        return positions, rotations
 
 
 def _by_name(result: Any, names: tuple[str, ...], suffix: str) -> Mapping[str, Array]:

@@ -26,6 +26,9 @@ __all__ = ["Pose", "check_pose"]
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
+NO_PLATFORM_JOINT = tuple(f"n_{i}·u_{i} = 0, B_{i} is not defined" for i in (1, 2, 3))
+NO_LEG = tuple(f"q_{i} = 0, leg {i} has no direction" for i in (1, 2, 3))
+
 
 class Geometry(Protocol):
     """What a pose needs to know of the manipulator."""
@@ -49,18 +52,22 @@ class Pose:
         """Refuse the poses at which a value is zero within its rounding."""
         self.screen.reject(is_zero(value, scale, self.rounding), SingularPoseError, rule, value)
 
-    def reject_zero_incidence(self, incidence: Array) -> None:
+    def reject_zeros(self, rules: tuple[str, ...], values: Array, scales: Array | float) -> None:
+        """The same for an array (..., 3) of one value a limb, each with its rule."""
+        zero = is_zero(values, scales, self.rounding)
+        if not zero.any():
+            return
+        for i, rule in enumerate(rules):
+            self.screen.reject(zero[..., i], SingularPoseError, rule, values[..., i])
+
+    def reject_incidence(self, incidence: Array) -> None:
         """Refuse ``n_i·u_i = 0``: the line of B_i is parallel to the plane of its leg."""
-        for i in range(3):
-            name = f"n_{i + 1}·u_{i + 1} = 0, B_{i + 1} is not defined"
-            self.reject_zero(name, incidence[..., i], 1.0)
+        self.reject_zeros(NO_PLATFORM_JOINT, incidence, 1.0)
 
     def reject_legs(self, result: Any) -> None:
         """Refuse ``n_i·u_i = 0`` and ``q_i = 0``."""
-        self.reject_zero_incidence(result.incidence)
-        for i in range(3):
-            name = f"q_{i + 1} = 0, leg {i + 1} has no direction"
-            self.reject_zero(name, result.scaled_legs[..., i], result.reach)
+        self.reject_incidence(result.incidence)
+        self.reject_zeros(NO_LEG, result.scaled_legs, result.reach[..., np.newaxis])
 
     def on_axis(self, radial: Array, length: Array) -> Mask:
         """Where C lies on the Z axis within rounding."""

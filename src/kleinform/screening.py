@@ -125,15 +125,6 @@ def lead_of(**shapes: tuple[int, ...]) -> tuple[int, ...]:
         raise ShapeError(f"leading axes do not broadcast: {listed}") from None
 
 
-def finite_rows(array: Array, core: int) -> Mask | np.bool_:
-    """True for rows without NaN or inf; ``core`` is the number of trailing axes."""
-    finite = np.isfinite(array)
-    if finite.all():
-        return np.True_
-    rows: Mask = finite.all(axis=tuple(range(finite.ndim - core, finite.ndim)))
-    return rows
-
-
 def rotation_array(value: RotationLike) -> tuple[Array, float]:
     """The rotation as float64 ``(..., 3, 3)`` and the defect that its precision allows."""
     given = value.as_matrix() if isinstance(value, HasMatrix) else value
@@ -143,8 +134,12 @@ def rotation_array(value: RotationLike) -> tuple[Array, float]:
 
 
 def reject_bad_numbers(screen: Screen, name: str, array: Array, core: int) -> None:
-    """Refuse rows with NaN or inf."""
-    screen.reject(~finite_rows(array, core), NotFiniteError, f"{name}: NaN or inf")
+    """Refuse rows with NaN or inf; ``core`` is the number of trailing axes."""
+    finite = np.isfinite(array)
+    if finite.all():
+        return
+    bad = ~finite.all(axis=tuple(range(finite.ndim - core, finite.ndim)))
+    screen.reject(bad, NotFiniteError, f"{name}: NaN or inf")
 
 
 def reject_bad_rotations(screen: Screen, rotation: Array, tolerance: float) -> None:

@@ -10,17 +10,16 @@ and that the solution is the only one around. A step along the motion is taken o
 
 from __future__ import annotations
 
-from typing import Protocol
-
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import ShapeError, TrackingError
 from kleinform.generated import kernels
 from kleinform.joints import checked_joints
+from kleinform.results import Singularity
 from kleinform.screening import RotationLike, Screen, reject_bad_rotations, rotation_array
 
-__all__ = ["newton", "track"]
+__all__ = ["newton", "refuse_crossings", "track"]
 
 Array = NDArray[np.float64]
 
@@ -39,47 +38,53 @@ SMALL = 1e-9
 BASIS = np.eye(6).reshape(6, 2, 3)
 
 
-class Robot(Protocol):
-    """What tracking needs of the manipulator."""
-
-    radius: Array
-
-    def direct_singularity(self, position: Array, rotation: Array) -> _Direct: ...
-
-
-class _Direct(Protocol):
-    factors: dict[str, Array]
-
-    def vanishing(self) -> dict[str, NDArray[np.bool_]]: ...
-
-
-def track(
-    robot: Robot, joints: ArrayLike, start_rotation: RotationLike
-) -> tuple[Array, Array]:
-    """See `UncoupledManipulator.track`."""
-    motion = _checked_motion(robot, joints)
+def track(radius: Array, joints: ArrayLike, start_rotation: RotationLike) -> tuple[Array, Array]:
+    """Positions and rotations along a motion; see `UncoupledManipulator.track`."""
+    motion = _checked_motion(radius, joints)
     start, tolerance = rotation_array(start_rotation)
     if start.shape != (3, 3):
         raise ShapeError(f"start_rotation: shape (3, 3) is needed, {start.shape} arrived")
     reject_bad_rotations(Screen((), "raise"), start, tolerance)
-    radius = float(robot.radius)
     positions = kernels.central_forward(motion[:, 3:]).position
-    rotations = np.empty((len(motion), 3, 3))
-    directions = _first(radius, motion[0], start)
-    for sample, target in enumerate(motion):
-        if sample:
-            directions = _advance(radius, motion[sample - 1], target, directions, sample)
-        rotations[sample] = _rotation(directions)
-    _refuse_crossings(robot, positions, rotations)
+    followed = np.empty((len(motion), 2, 3))
+    followed[0] = _first(float(radius), motion[0], start)
+    for sample in range(1, len(motion)):
+        before, after = motion[sample - 1], motion[sample]
+        followed[sample] = _advance(float(radius), before, after, followed[sample - 1], sample)
+    rotations = kernels.rotation_from_directions(followed[:, 0], followed[:, 1]).rotation
     return positions, rotations
 
 
-def _checked_motion(robot: Robot, joints: ArrayLike) -> Array:
+def refuse_crossings(direct: Singularity) -> None:
+    """Refuse a motion along which a direct factor vanishes or changes its sign.
+
+    Raises
+    ------
+    TrackingError
+        It names the sample and the factor. The wrist factor is left out: it cancels.
+    """
+    vanishing = direct.vanishing()
+    for name, factor in direct.factors.items():
+        if name == "wrist":
+            continue
+        bad = vanishing[name].copy()
+        bad[1:] |= np.sign(factor[1:]) != np.sign(factor[:-1])
+        if bad.any():
+            sample = int(np.argmax(bad))
+            raise TrackingError(
+                f"sample {sample}: the direct factor {name} vanishes or changes its sign "
+                f"({factor[max(sample - 1, 0)]:.6g} to {factor[sample]:.6g}): another assembly "
+                "mode meets this one",
+                sample=sample,
+            )
+
+
+def _checked_motion(radius: Array, joints: ArrayLike) -> Array:
     motion, _ = checked_joints(joints)
     if motion.ndim != 2 or len(motion) == 0:
         raise ShapeError(f"joints: shape (T, 6) with T >= 1 is needed, {motion.shape} arrived")
-    if robot.radius.ndim:
-        raise ShapeError(f"radius: one radius is needed, shape {robot.radius.shape} arrived")
+    if radius.ndim:
+        raise ShapeError(f"radius: one radius is needed, shape {radius.shape} arrived")
     return motion
 
 
@@ -150,27 +155,3 @@ def newton(radius: float, joints: Array, directions: Array) -> Array | None:
             return directions
         last = size
     return None
-
-
-def _rotation(directions: Array) -> Array:
-    rotation: Array = kernels.rotation_from_directions(*directions).rotation
-    return rotation
-
-
-def _refuse_crossings(robot: Robot, positions: Array, rotations: Array) -> None:
-    """Refuse a motion along which a direct factor vanishes or changes its sign."""
-    direct = robot.direct_singularity(positions, rotations)
-    vanishing = direct.vanishing()
-    for name, factor in direct.factors.items():
-        if name == "wrist":
-            continue
-        bad = vanishing[name].copy()
-        bad[1:] |= np.sign(factor[1:]) != np.sign(factor[:-1])
-        if bad.any():
-            sample = int(np.argmax(bad))
-            raise TrackingError(
-                f"sample {sample}: the direct factor {name} vanishes or changes its sign "
-                f"({factor[max(sample - 1, 0)]:.6g} to {factor[sample]:.6g}): another assembly "
-                "mode meets this one",
-                sample=sample,
-            )

@@ -78,7 +78,9 @@ def _nested(value: object, printer: MpmathExpressions) -> str:
     if not isinstance(value, ImmutableDenseMatrix):
         return printer.doprint(value)
     rows, columns = value.shape
-    texts = [[printer.doprint(value[row, column]) for column in range(columns)] for row in range(rows)]
+    texts = [
+        [printer.doprint(value[row, column]) for column in range(columns)] for row in range(rows)
+    ]
     if columns == 1:
         return "[" + ", ".join(text for (text,) in texts) + "]"
     return "[" + ", ".join("[" + ", ".join(row) + "]" for row in texts) + "]"

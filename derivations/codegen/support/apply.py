@@ -43,15 +43,18 @@ def apply(
     lead = np.broadcast_shapes(
         *(array.shape[: array.ndim - core] for array, core in zip(arrays, cores, strict=True))
     )
-    parts = [_components_first(array, core, lead) for array, core in zip(arrays, cores, strict=True)]
-    results = [np.zeros(core + lead) for core in outputs]
+    parts = [
+        _components_first(array, core, lead) for array, core in zip(arrays, cores, strict=True)
+    ]
+    # Zeros, so that entries that are zero for every pose need not be written.
+    results: list[Array] = [np.zeros(core + lead) for core in outputs]
     with np.errstate(all="ignore"):
         if not lead:
             body(*results, *parts)
         for slab in slabs(lead):
             body(
-                *(result[(..., *slab)] for result in results),
-                *(np.ascontiguousarray(part[(..., *_fit(slab, part))]) for part in parts),
+                *(result[_index(slab)] for result in results),
+                *(np.ascontiguousarray(part[_index(_fit(slab, part))]) for part in parts),
             )
     return [
         result.transpose(*range(len(core), result.ndim), *range(len(core)))
@@ -74,6 +77,11 @@ def slabs(lead: Shape) -> Iterator[tuple[slice, ...]]:
             yield from ((outer, *inner) for inner in slabs(lead[1:]))
 
 
+def _index(slab: tuple[slice, ...]) -> Any:
+    """All components of a slab."""
+    return (..., *slab)
+
+
 def _as_float(name: str, value: ArrayLike, core: Shape) -> Array:
     array = np.asarray(value)
     if array.dtype.kind not in "fiu":
@@ -83,7 +91,7 @@ def _as_float(name: str, value: ArrayLike, core: Shape) -> Array:
     return array.astype(np.float64, copy=False)
 
 
-def _components_first(array: Array, core: int, lead: Shape) -> Any:
+def _components_first(array: Array, core: int, lead: Shape) -> Array:
     """The array with its mathematical axes in front and all leading axes present."""
     own = array.ndim - core
     front = array.transpose(*range(own, array.ndim), *range(own))
