@@ -25,7 +25,7 @@ latex: derive ## the formulas as .tex files, one document and one HTML page
 	@$(BIN)/python -m derivations where
 
 paper: $(READY) ## the paper's numbers beside the computed ones, and docs/audit.md
-	@$(BIN)/python -m kleinform.paper
+	@$(BIN)/python -m kleinform.paper docs/audit.md
 
 test: $(READY) check-generated ## all tests, the freshness of generated/ and the wheel
 	@$(BIN)/python -m pytest

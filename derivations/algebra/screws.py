@@ -30,7 +30,7 @@ class Screw(Stack):
 
 
 class Klein(Expr):
-    """The Klein form ``{$1; $2} = s1·s_O2 + s2·s_O1`` (13)."""
+    """The Klein form ``{$1; $2} = s1·s_O2 + s2·s_O1 = $1ᵀ Δ $2`` (13), with the polarity Δ (20)."""
 
     is_commutative = True
     is_real = True

@@ -6,6 +6,7 @@ order of the table is the order in which factors and terms are written.
 
 from __future__ import annotations
 
+from derivations.algebra.vectors import AXES, SCREW_AXES
 from derivations.codegen.printers.letters import Letter, Notation
 
 __all__ = ["LETTERS", "NOTATION"]
@@ -32,6 +33,10 @@ LETTERS: dict[str, Letter | str] = {
     # joint rates come before what they multiply
     "dq#": Letter("q", accent=r"\dot"),
     "dq": Letter("q", accent=r"\dot"),
+    **{
+        f"dq_{suffix}": Letter("q", sub=str(joint), accent=r"\dot")
+        for joint, suffix in enumerate(SCREW_AXES, start=1)
+    },
     # displacement
     "p#": "p",  # n_i · u_i
     "h#": "h",  # a − c · u_i
@@ -51,6 +56,7 @@ LETTERS: dict[str, Letter | str] = {
     # closure
     "F#": "F",
     "dF#": Letter("F", before=r"\nabla ", upright=True),
+    **{f"dF#_{axis}": rf"\partial F_{{#}}/\partial n_{{#{axis}}}" for axis in AXES},
     "F": "F",
     "dF": Letter("J", sub="F"),
     # screws and lines
@@ -65,6 +71,7 @@ LETTERS: dict[str, Letter | str] = {
         )
         for joint in range(1, 7)
     },
+    "screw": Letter(r"\$", upright=True),  # any screw
     "tau#": r"\tau",  # p_i² (d_i − b_i) = τ_i m_i + σ_i ν
     "sigma#": r"\sigma",
     "rho#": r"\rho",

@@ -6,17 +6,21 @@ Every formula is what stands between the dollars of a display: a single line, or
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import Protocol
 
-from sympy import Basic, ImmutableDenseMatrix, MatAdd, MatMul, Mul, S, Add
+from sympy import Basic, Expr, ImmutableDenseMatrix, Symbol
 
-from derivations.algebra.vectors import components
+from derivations.algebra.vectors import Norm, components
+from derivations.codegen.printers.breaking import lines
 from derivations.codegen.printers.latex import VectorLatex, width
 
-__all__ = ["Formula", "component_form", "vector_form"]
+__all__ = ["Formula", "Length", "component_form", "keeping_norms", "vector_form"]
 
 #: How wide a line may be, in letters as `width` counts them.
-LINE = 84
+LINE = 66
+#: A left side wider than this leaves no room for the right one.
+WIDE_LEFT = 30
 #: How wide a matrix may be before its entries are written one by one.
 MATRIX = 100
 
@@ -24,6 +28,13 @@ COMPUTED = r"\text{computed as}\quad"
 REST = r"\text{all other entries are zero}"
 
 Row = tuple[str, str]
+
+
+class Length(Norm):
+    """A norm that components leave as it is."""
+
+    def expanded(self) -> Expr:
+        return self
 
 
 class Formula(Protocol):
@@ -48,15 +59,32 @@ def vector_form(formula: Formula, printer: VectorLatex) -> str:
     return _display(rows)
 
 
-def component_form(formula: Formula, printer: VectorLatex) -> str:
-    """The same with every vector in components of the symbols that the formula names."""
-    left, right = components(formula.symbol), components(formula.expression)
+def component_form(
+    formula: Formula, printer: VectorLatex, known: Mapping[Symbol, Expr] | None = None
+) -> str:
+    """The formula in components of the symbols that it names.
+
+    Components that are ``known`` are put in. A norm that divides a vector, and one of
+    several norms, stays a norm.
+    """
+    values = dict(known or {})
+    left = components(formula.symbol)
+    if not formula.symbol.is_symbol:
+        left = left.xreplace(values)
+    right = components(keeping_norms(formula.expression)).xreplace(values)
     if not isinstance(right, ImmutableDenseMatrix):
         return _display(_rows(printer.doprint(left), right, printer))
     whole = right == formula.expression and right.shape[1] == 1
     if whole or (right.shape[1] > 1 and _matrix_width(right, printer) <= MATRIX):
-        return _display([(printer.doprint(formula.symbol), printer.doprint(right))])
+        return _display([(printer.doprint(formula.symbol), f"= {printer.doprint(right)}")])
     return _display(_entries(ImmutableDenseMatrix(left), right, printer))
+
+
+def keeping_norms(expression: Basic) -> Basic:
+    norms = expression.atoms(Norm)
+    if len(norms) == 1 and not expression.is_Matrix:
+        return expression
+    return expression.xreplace({norm: Length(*norm.args) for norm in norms})
 
 
 def _entries(
@@ -81,45 +109,18 @@ def _matrix_width(matrix: ImmutableDenseMatrix, printer: VectorLatex) -> int:
 
 def _display(rows: list[Row]) -> str:
     if len(rows) == 1:
-        return f"{rows[0][0]} = {rows[0][1]}"
-    body = " \\\\\n".join(f"{left} &{_relation(left, text)}" for left, text in rows)
+        return " ".join(rows[0])
+    body = " \\\\\n".join(f"{left} &{right}" for left, right in rows)
     return f"\\begin{{split}}\n{body}\n\\end{{split}}"
 
 
-def _relation(left: str, text: str) -> str:
-    if left:
-        return f"= {text}"
-    return text if text == REST else rf"\quad {text}"
-
-
 def _rows(left: str, expression: Basic, printer: VectorLatex) -> list[Row]:
-    """The lines of one equation; only the first has a left side."""
-    first, *others = _lines(expression, printer)
-    return [(left, first), *(("", line) for line in others)]
-
-
-def _lines(expression: Basic, printer: VectorLatex) -> list[str]:
+    """The lines of one equation; a wide left side has lines of its own."""
     text = printer.doprint(expression)
-    if width(text) <= LINE:
-        return [text]
-    if isinstance(expression, (Add, MatAdd)):
-        return _filled(printer.terms(expression), "", "")
-    if isinstance(expression, (Mul, MatMul)):
-        factors = [part for part in expression.args if printer.is_wide(part)]
-        if len(factors) == 1:
-            rest = [part for part in expression.args if part != factors[0]]
-            head = printer.coefficient(Mul(S.One, *rest))
-            return _filled(printer.terms(factors[0]), rf"{head}\Bigl[", r"\Bigr]")
-    return [text]
-
-
-def _filled(terms: list[str], head: str, end: str) -> list[str]:
-    """Terms in lines as full as they may be."""
-    lines = [head + terms[0]]
-    for term in terms[1:]:
-        if width(lines[-1]) + width(term) > LINE:
-            lines.append(term)
-        else:
-            lines[-1] += f" {term}"
-    lines[-1] += end
-    return lines
+    if width(left) > WIDE_LEFT:
+        first, *others = lines(left, LINE)
+        rest = [*others, *lines(f"= {text}", LINE)]
+    else:
+        first, *rest = lines(text, LINE - width(left))
+        return [(left, f"= {first}"), *(("", rf"\quad {line}") for line in rest)]
+    return [("", first), *(("", rf"\quad {line}") for line in rest)]

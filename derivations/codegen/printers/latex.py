@@ -17,10 +17,12 @@ from sympy.printing.latex import LatexPrinter
 from derivations.algebra.vectors import Cross, Dot, component_symbols
 from derivations.codegen.printers.letters import Notation
 
-__all__ = ["VectorLatex", "width"]
+__all__ = ["VectorLatex", "brace_group", "width"]
 
 #: A sum wider than this leaves its fraction, so that it can go over several lines.
 WIDE_SUM = 62
+#: What makes a text higher than a line.
+TALL = (r"\frac", r"\sqrt", r"\begin", r"\left")
 SILENT = re.compile(r"\\(left|right|mathbf|boldsymbol|mathrm|operatorname|det|dot)\b")
 
 
@@ -30,12 +32,12 @@ def width(latex: str) -> int:
     count = len(re.findall(r"\\[A-Za-z]+|[^{}\s_^\\]", SILENT.sub("", before)))
     if not found:
         return count
-    over, after = _group(after)
-    under, after = _group(after)
+    over, after = brace_group(after)
+    under, after = brace_group(after)
     return count + max(width(over), width(under)) + width(after)
 
 
-def _group(text: str) -> tuple[str, str]:
+def brace_group(text: str) -> tuple[str, str]:
     """The braced group that a text begins with, and what follows it."""
     depth = 0
     for place, letter in enumerate(text):
@@ -90,7 +92,7 @@ class VectorLatex(LatexPrinter):
 
     def _print_Klein(self, expr: Basic) -> str:
         first, second = map(self._print, expr.args)
-        return rf"\left\{{{first};\, {second}\right\}}"
+        return _fenced(rf"{first};\, {second}", r"\{", r"\}")
 
     # matrices
 
@@ -134,11 +136,11 @@ class VectorLatex(LatexPrinter):
     # sums
 
     def _print_Add(self, expr: Basic, order: str | None = None) -> str:
-        return " ".join(self.terms(expr))
+        return " ".join(self._terms(expr))
 
     _print_MatAdd = _print_Add
 
-    def terms(self, expr: Basic) -> list[str]:
+    def _terms(self, expr: Basic) -> list[str]:
         """The terms of a sum with their signs, positive ones first."""
         texts = [self._print(term) for term in sorted(expr.args, key=self._term_key)]
         signed = [f"- {text[1:].lstrip()}" if text[0] == "-" else f"+ {text}" for text in texts]
@@ -149,7 +151,8 @@ class VectorLatex(LatexPrinter):
         coefficient, rest = scalar.as_coeff_Mul()
         keys = sorted(map(self._factor_key, Mul.make_args(rest))) if rest != 1 else []
         negative = bool(coefficient < 0) != _negative_sum(rest)
-        return negative, not vectors and not keys, keys, [self._print(v) for v in vectors]
+        factors = len(keys) + len(vectors)
+        return negative, factors == 0, factors > 1, keys, [self._print(v) for v in vectors]
 
     # products of scalars, and of scalars with a vector
 
@@ -178,7 +181,7 @@ class VectorLatex(LatexPrinter):
         if all(part.is_number for part in under):
             tail = [part for part in (*over, *matrices) if not part.is_number] if under else []
         else:
-            wide = [part for part in (*over, *matrices) if self.is_wide(part)]
+            wide = [part for part in (*over, *matrices) if self._is_wide(part)]
             tail = wide or [part for part in matrices if part.is_symbol and over]
         top = [part for part in (*over, *matrices) if part not in tail]
         if not under:
@@ -186,12 +189,7 @@ class VectorLatex(LatexPrinter):
         text = rf"{sign}\frac{{{self._factors(top)}}}{{{self._factors(under)}}}"
         return " ".join([text, *(self._factor(part) for part in tail)])
 
-    def coefficient(self, scalar: Expr) -> str:
-        """What stands in front of the factor that is written over several lines."""
-        text = self._product(scalar, [])
-        return text.removesuffix("1") if text in ("1", "-1") else f"{text} "
-
-    def is_wide(self, part: Basic) -> bool:
+    def _is_wide(self, part: Basic) -> bool:
         """Whether a factor is a sum that may need more than one line."""
         return isinstance(part, (Add, MatAdd)) and width(self._print(part)) > WIDE_SUM
 
@@ -216,7 +214,12 @@ class VectorLatex(LatexPrinter):
     def _factors(self, parts: list[Basic]) -> str:
         if len(parts) == 1:
             return self._print(parts[0])
-        return " ".join(map(self._factor, parts)) or "1"
+        text = ""
+        for part, follower in zip(parts, [*parts[1:], None], strict=False):
+            open_ended = isinstance(part, (cos, sin)) and follower is not None
+            space = r" \, " if open_ended and not isinstance(follower, (cos, sin)) else " "
+            text += self._factor(part) + space
+        return text.rstrip() or "1"
 
     def _factor(self, part: Basic) -> str:
         text = self._print(part)
@@ -245,7 +248,7 @@ class VectorLatex(LatexPrinter):
 
     def _print_atan2(self, expr: Basic) -> str:
         arguments = r",\, ".join(map(self._print, expr.args))
-        return rf"\operatorname{{atan2}}\left({arguments}\right)"
+        return rf"\operatorname{{atan2}}{_fenced(arguments, '(', ')')}"
 
 
 def _element_name(element: MatrixElement) -> str:
@@ -256,9 +259,15 @@ def _element_name(element: MatrixElement) -> str:
 
 def _parentheses(text: str) -> str:
     """A text in parentheses, in brackets if it holds parentheses."""
-    if r"\left(" in text and r"\left[" not in text:
-        return rf"\left[{text}\right]"
-    return rf"\left({text}\right)"
+    brackets = "(" in text and "[" not in text
+    return _fenced(text, "[", "]") if brackets else _fenced(text, "(", ")")
+
+
+def _fenced(text: str, left: str, right: str) -> str:
+    """A text between delimiters, which grow if it is higher than a line."""
+    if any(command in text for command in TALL):
+        return rf"\left{left}{text}\right{right}"
+    return f"{left}{text}{right}"
 
 
 def _matrix(rows: list[list[str]]) -> str:

@@ -102,10 +102,10 @@ class Notation:
         _, letter, index, component = self._resolve(name)
         return letter.latex(index, component, bold)
 
-    def rank(self, name: str) -> tuple[int, str, str]:
-        """Where a name stands among the others."""
+    def rank(self, name: str) -> tuple[bool, int, str, int, str]:
+        """Where a name stands among the others: components after scalars, x before ox."""
         row, _, index, component = self._resolve(name)
-        return row, index, component
+        return component != "", row, index, len(component), component
 
 
 def _letter(entry: Letter | str) -> Letter:

@@ -1,0 +1,2216 @@
+# Generated from derivations/ by "make derive"; do not edit.
+# SPDX-License-Identifier: BSD-3-Clause
+"""mpmath kernels of the uncoupled manipulator 3-RPRRC+RRPRU.
+
+One pose at a time, nested sequences in and nested lists out, at the working precision of
+``mpmath.mp``: the reference against which the NumPy kernels are tested.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from mpmath import atan2, cos, mpf, sin, sqrt
+from mpmath import fabs as absolute
+
+Nested = Any
+
+
+def _exact(value: Nested) -> Nested:
+    """Turn every entry of a nested sequence into an mpf, without loss."""
+    if hasattr(value, "__len__"):
+        return [_exact(entry) for entry in value]
+    return mpf(value)
+
+
+class InverseDisplacement(NamedTuple):
+    """What `inverse_displacement` returns."""
+
+    joints: Nested
+    extension: Nested
+    platform_joints: Nested
+    incidence: Nested
+    radial: Nested
+
+
+def inverse_displacement(a: Nested, c: Nested, R: Nested) -> InverseDisplacement:
+    """Joint values from the pose.
+
+    Equations (3), (4), (10), (11) of the paper; base frame.
+    111 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    joints : nested list (..., 6)
+        q1 ... q6 [m, rad]
+    extension : nested list (..., 3)
+        signed distances e_i from C to B_i [m]
+    platform_joints : nested list (..., 3, 3)
+        B_i, a row each [m]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    x6 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x6)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x6)
+    # elevation of the central limb (11) [rad]
+    q5 = atan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = atan2(c_y, c_x)
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # position of B_i (3) [m]
+    b1_x = c_x + e1*n1_x
+    b1_y = c_y + e1*n1_y
+    b1_z = c_z + e1*n1_z
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    # length of the outer limb (10) [m]
+    q1 = l1/absolute(n1_x)
+    x7 = SQRT3_2*c_y
+    x8 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x7 + x8
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    # position of B_i (3) [m]
+    b2_x = c_x + e2*n2_x
+    b2_y = c_y + e2*n2_y
+    b2_z = c_z + e2*n2_z
+    x9 = mpf(1)/2*c_y
+    x10 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - mpf(1)/2*n2_y) + p2*(-x10 - x9)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # length of the outer limb (10) [m]
+    q2 = l2/absolute(p2)
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x7 + x8
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # position of B_i (3) [m]
+    b3_x = c_x + e3*n3_x
+    b3_y = c_y + e3*n3_y
+    b3_z = c_z + e3*n3_z
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - mpf(1)/2*n3_y) + p3*(x10 - x9)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # length of the outer limb (10) [m]
+    q3 = l3/absolute(p3)
+    return InverseDisplacement(
+        [q1, q2, q3, q4, q5, q6],
+        [e1, e2, e3],
+        [[b1_x, b1_y, b1_z], [b2_x, b2_y, b2_z], [b3_x, b3_y, b3_z]],
+        [n1_x, p2, p3],
+        r,
+    )
+
+
+class CentralForward(NamedTuple):
+    """What `central_forward` returns."""
+
+    position: Nested
+    direction: Nested
+
+
+def central_forward(joints: Nested) -> CentralForward:
+    """Position of C from the joint values of the central limb.
+
+    Equations (1) of the paper; base frame.
+    9 operations.
+
+    Parameters
+    ----------
+    joints : nested list (..., 3)
+        q4, q5, q6 [rad, rad, m]
+
+    Returns
+    -------
+    position : nested list (..., 3)
+        position of C [m]
+    direction : nested list (..., 3)
+        unit vector lambda [1]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    joints = _exact(joints)
+    q4, q5, q6 = joints
+    x0 = cos(q5)
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = x0*cos(q4)
+    lambda_y = x0*sin(q4)
+    lambda_z = sin(q5)
+    # position of the platform's centre C (1) [m]
+    c_x = lambda_x*q6
+    c_y = lambda_y*q6
+    c_z = lambda_z*q6
+    return CentralForward(
+        [c_x, c_y, c_z],
+        [lambda_x, lambda_y, lambda_z],
+    )
+
+
+class CentralInverse(NamedTuple):
+    """What `central_inverse` returns."""
+
+    joints: Nested
+
+
+def central_inverse(c: Nested) -> CentralInverse:
+    """Joint values of the central limb from the position of C.
+
+    Equations (11) of the paper; base frame.
+    11 operations.
+
+    Parameters
+    ----------
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+
+    Returns
+    -------
+    joints : nested list (..., 3)
+        q4, q5, q6 [rad, rad, m]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    c = _exact(c)
+    c_x, c_y, c_z = c
+    x0 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x0)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x0)
+    # elevation of the central limb (11) [rad]
+    q5 = atan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = atan2(c_y, c_x)
+    return CentralInverse(
+        [q4, q5, q6],
+    )
+
+
+class Closure(NamedTuple):
+    """What `closure` returns."""
+
+    residual: Nested
+    jacobian: Nested
+
+
+def closure(a: Nested, c: Nested, lengths: Nested, directions: Nested) -> Closure:
+    """Residual of the six quadratics in (n_1, n_2), and its Jacobian.
+
+    Equations (6) of the paper; base frame.
+    145 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    lengths : nested list (..., 3)
+        q1, q2, q3 [m]
+    directions : nested list (..., 2, 3)
+        n_1 and n_2, a row each [1]
+
+    Returns
+    -------
+    residual : nested list (..., 6)
+        three cones, three unit conditions [m², 1]
+    jacobian : nested list (..., 6, 6)
+        by (n_1, n_2) [m², 1]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    lengths = _exact(lengths)
+    directions = _exact(directions)
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    (n1_x, n1_y, n1_z), (n2_x, n2_y, n2_z) = directions
+    # the third direction (5) [1]
+    n3_x = -n1_x - n2_x
+    n3_y = -n1_y - n2_y
+    n3_z = -n1_z - n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    x0 = (n1_x*n1_x)
+    x1 = (q1*q1)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F1 = (gt1*gt1) + (gz1*gz1) - x0*x1
+    x2 = 2.0*gt1
+    x3 = 2.0*gz1
+    x4 = 2.0*n1_x
+    # gradient of F_i in n_i (6) [m²]
+    dF1_x = c_y*x2 + c_z*x3 - x1*x4
+    dF1_y = h1*x2
+    dF1_z = h1*x3
+    x5 = SQRT3_2*c_y
+    x6 = mpf(1)/2*c_x
+    x7 = a + x6
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x5 + x7
+    x8 = mpf(1)/2*n2_x
+    x9 = SQRT3_2*n2_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = -x8 + x9
+    x10 = mpf(1)/4*c_y
+    x11 = SQRT3_2*x6
+    x12 = -SQRT3_2*h2 + x10 + x11
+    x13 = mpf(1)/2*c_y
+    x14 = SQRT3_2*c_x
+    x15 = SQRT3_2*(-x13 - x14) - mpf(1)/2*h2
+    # p_i times the horizontal part of the leg [m]
+    gt2 = n2_x*x12 + n2_y*x15
+    # p_i times the vertical part of the leg [m]
+    gz2 = -c_z*x8 + c_z*x9 + h2*n2_z
+    x16 = (q2*q2)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F2 = (gt2*gt2) + (gz2*gz2) - x16*(p2*p2)
+    x17 = c_z*gz2
+    x18 = p2*x16
+    x19 = 2.0*gt2
+    # gradient of F_i in n_i (6) [m²]
+    dF2_x = x12*x19 - x17 + x18
+    x20 = 2.0*SQRT3_2
+    dF2_y = x15*x19 + x17*x20 - x18*x20
+    dF2_z = 2.0*gz2*h2
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x5 + x7
+    x21 = mpf(1)/2*n3_x
+    x22 = SQRT3_2*n3_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -x21 - x22
+    x23 = SQRT3_2*h3 + x10 - x11
+    x24 = -SQRT3_2*(-x13 + x14) - mpf(1)/2*h3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = n3_x*x23 + n3_y*x24
+    # p_i times the vertical part of the leg [m]
+    gz3 = -c_z*x21 - c_z*x22 + h3*n3_z
+    x25 = (q3*q3)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F3 = (gt3*gt3) + (gz3*gz3) - x25*(p3*p3)
+    x26 = c_z*gz3
+    x27 = p3*x25
+    x28 = 2.0*gt3
+    # gradient of F_i in n_i (6) [m²]
+    dF3_x = x23*x28 - x26 + x27
+    dF3_y = -x20*x26 + x20*x27 + x24*x28
+    dF3_z = 2.0*gz3*h3
+    # n_1 is a unit vector (5) [1]
+    F4 = (n1_y*n1_y) + (n1_z*n1_z) + x0 - 1.0
+    # n_2 is a unit vector (5) [1]
+    F5 = (n2_x*n2_x) + (n2_y*n2_y) + (n2_z*n2_z) - 1.0
+    # n_1, n_2 are 120° apart (5) [1]
+    F6 = n1_x*n2_x + n1_y*n2_y + n1_z*n2_z + mpf(1)/2
+    x29 = -dF3_x
+    # derivatives of F by (n_1, n_2) (6) [m², 1]
+    dF_31 = x29
+    x30 = -dF3_y
+    dF_32 = x30
+    x31 = -dF3_z
+    dF_33 = x31
+    dF_34 = x29
+    dF_35 = x30
+    dF_36 = x31
+    dF_41 = x4
+    dF_42 = 2.0*n1_y
+    dF_43 = 2.0*n1_z
+    dF_54 = 2.0*n2_x
+    dF_55 = 2.0*n2_y
+    dF_56 = 2.0*n2_z
+    return Closure(
+        [F1, F2, F3, F4, F5, F6],
+        [[dF1_x, dF1_y, dF1_z, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, dF2_x, dF2_y, dF2_z], [dF_31, dF_32, dF_33, dF_34, dF_35, dF_36], [dF_41, dF_42, dF_43, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, dF_54, dF_55, dF_56], [n2_x, n2_y, n2_z, n1_x, n1_y, n1_z]],
+    )
+
+
+class RotationFromRpy(NamedTuple):
+    """What `rotation_from_rpy` returns."""
+
+    rotation: Nested
+
+
+def rotation_from_rpy(roll: Nested, pitch: Nested, yaw: Nested) -> RotationFromRpy:
+    """Rotation from roll, pitch and yaw, R = Rz(yaw) Ry(pitch) Rx(roll).
+
+    Equations (9) of the paper; base frame.
+    24 operations.
+
+    Parameters
+    ----------
+    roll : nested list (...)
+        about X, first [rad]
+    pitch : nested list (...)
+        about Y, second [rad]
+    yaw : nested list (...)
+        about Z, last [rad]
+
+    Returns
+    -------
+    rotation : nested list (..., 3, 3)
+        rotation of the platform [1]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    roll = _exact(roll)
+    pitch = _exact(pitch)
+    yaw = _exact(yaw)
+    gamma = roll
+    beta = pitch
+    alpha = yaw
+    x0 = cos(alpha)
+    x1 = cos(beta)
+    # rotation of the platform (9) [1]
+    R_11 = x0*x1
+    x2 = sin(alpha)
+    x3 = cos(gamma)
+    x4 = x2*x3
+    x5 = sin(beta)
+    x6 = sin(gamma)
+    R_12 = x0*x5*x6 - x4
+    x7 = x2*x6
+    x8 = x0*x3
+    R_13 = x5*x8 + x7
+    R_21 = x1*x2
+    R_22 = x5*x7 + x8
+    R_23 = -x0*x6 + x4*x5
+    R_31 = -x5
+    R_32 = x1*x6
+    R_33 = x1*x3
+    return RotationFromRpy(
+        [[R_11, R_12, R_13], [R_21, R_22, R_23], [R_31, R_32, R_33]],
+    )
+
+
+class RpyFromRotation(NamedTuple):
+    """What `rpy_from_rotation` returns."""
+
+    roll: Nested
+    pitch: Nested
+    yaw: Nested
+
+
+def rpy_from_rotation(R: Nested) -> RpyFromRotation:
+    """Roll, pitch and yaw from the rotation; yaw is zero where R_11 = R_21 = 0.
+
+    Equations (9) of the paper; base frame.
+    17 operations.
+
+    Parameters
+    ----------
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    roll : nested list (...)
+        in (−π, π] [rad]
+    pitch : nested list (...)
+        in [−π/2, π/2] [rad]
+    yaw : nested list (...)
+        in (−π, π] [rad]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    R = _exact(R)
+    (R_11, R_12, R_13), (R_21, R_22, R_23), (R_31, R_32, R_33) = R
+    # yaw (9) [rad]
+    alpha = atan2(R_21, R_11)
+    # pitch (9) [rad]
+    beta = atan2(-R_31, sqrt((R_11*R_11) + (R_21*R_21)))
+    x0 = sin(alpha)
+    x1 = cos(alpha)
+    # roll (9) [rad]
+    gamma = atan2(R_13*x0 - R_23*x1, -R_12*x0 + R_22*x1)
+    return RpyFromRotation(
+        gamma,
+        beta,
+        alpha,
+    )
+
+
+class RotationFromDirections(NamedTuple):
+    """What `rotation_from_directions` returns."""
+
+    rotation: Nested
+
+
+def rotation_from_directions(n1: Nested, n2: Nested) -> RotationFromDirections:
+    """Rotation from the platform directions n_1 and n_2.
+
+    Equations (8) of the paper; base frame.
+    40 operations.
+
+    Parameters
+    ----------
+    n1 : nested list (..., 3)
+        direction from C to B_1 [1]
+    n2 : nested list (..., 3)
+        direction from C to B_2 [1]
+
+    Returns
+    -------
+    rotation : nested list (..., 3, 3)
+        rotation of the platform [1]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    n1 = _exact(n1)
+    n2 = _exact(n2)
+    n1_x, n1_y, n1_z = n1
+    n2_x, n2_y, n2_z = n2
+    x0 = n1_y*n2_z - n1_z*n2_y
+    x1 = n1_x*n2_y - n1_y*n2_x
+    x2 = -n1_x*n2_z + n1_z*n2_x
+    x3 = 1.0/(sqrt((x0*x0) + (x1*x1) + (x2*x2)))
+    # normal of the platform (8) [1]
+    nu_x = x0*x3
+    nu_y = x2*x3
+    nu_z = x1*x3
+    x4 = -n1_y*x1 + n1_z*x2
+    x5 = n1_x*x1 - n1_z*x0
+    x6 = -n1_x*x2 + n1_y*x0
+    x7 = 1.0/(sqrt((x4*x4) + (x5*x5) + (x6*x6)))
+    # platform y axis (8) [1]
+    m1_x = x4*x7
+    m1_y = x5*x7
+    m1_z = x6*x7
+    return RotationFromDirections(
+        [[n1_x, m1_x, nu_x], [n1_y, m1_y, nu_y], [n1_z, m1_z, nu_z]],
+    )
+
+
+class RotationDefect(NamedTuple):
+    """What `rotation_defect` returns."""
+
+    defect: Nested
+
+
+def rotation_defect(R: Nested) -> RotationDefect:
+    """How far a matrix is from a rotation; zero for a rotation.
+
+    Equations (8) of the paper; base frame.
+    42 operations.
+
+    Parameters
+    ----------
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    defect : nested list (...)
+        root of the squared defects [1]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    R = _exact(R)
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    # n_1 × m_1 − ν, zero for a rotation [1]
+    gap_x = -m1_y*n1_z + m1_z*n1_y - nu_x
+    gap_y = m1_x*n1_z - m1_z*n1_x - nu_y
+    gap_z = -m1_x*n1_y + m1_y*n1_x - nu_z
+    # root of the squared defects of |n_1| = |m_1| = 1, n_1·m_1 = 0, n_1 × m_1 = ν [1]
+    defect = sqrt((gap_x*gap_x) + (gap_y*gap_y) + (gap_z*gap_z) + ((m1_x*n1_x + m1_y*n1_y + m1_z*n1_z)*(m1_x*n1_x + m1_y*n1_y + m1_z*n1_z)) + (((m1_x*m1_x) + (m1_y*m1_y) + (m1_z*m1_z) - 1.0)*((m1_x*m1_x) + (m1_y*m1_y) + (m1_z*m1_z) - 1.0)) + (((n1_x*n1_x) + (n1_y*n1_y) + (n1_z*n1_z) - 1.0)*((n1_x*n1_x) + (n1_y*n1_y) + (n1_z*n1_z) - 1.0)))
+    return RotationDefect(
+        defect,
+    )
+
+
+class LimbGeometry(NamedTuple):
+    """What `limb_geometry` returns."""
+
+    d: Nested
+    w: Nested
+    lines: Nested
+
+
+def limb_geometry(a: Nested, c: Nested, R: Nested) -> LimbGeometry:
+    """Points D_i, unit vectors w_i and reciprocal lines S_i.
+
+    Equations (7), (14) of the paper; base frame.
+    264 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    d : nested list (..., 3, 3)
+        D_i, a row each [m]
+    w : nested list (..., 3, 3)
+        w_i, a row each [1]
+    lines : nested list (..., 3, 6)
+        S_i, a row each [1, m]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = mpf(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = mpf(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = mpf(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    x12 = 1.0/n1_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1*x12
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    # length of the outer limb (10) [m]
+    q1 = l1/absolute(n1_x)
+    x13 = x12/q1
+    # unit vector along the outer limb Section IV [1]
+    w1_y = gt1*x13
+    w1_z = gz1*x13
+    # p_i times the part of the leg along n_i [m]
+    ng1 = gt1*n1_y + gz1*n1_z
+    # signed distance from O to D_i (7) [m]
+    delta1 = a + ng1/((n1_x*n1_x))
+    x14 = SQRT3_2*c_y
+    x15 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    x16 = 1.0/p2
+    # signed distance from C to B_i (4) [m]
+    e2 = h2*x16
+    x17 = -SQRT3_2*n2_x - mpf(1)/2*n2_y
+    x18 = mpf(1)/2*c_y
+    x19 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*x17 + p2*(-x18 - x19)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # length of the outer limb (10) [m]
+    q2 = l2/absolute(p2)
+    x20 = x16/q2
+    x21 = gt2*x20
+    # unit vector along the outer limb Section IV [1]
+    w2_x = -SQRT3_2*x21
+    w2_y = -mpf(1)/2*x21
+    w2_z = gz2*x20
+    # p_i times the part of the leg along n_i [m]
+    ng2 = gt2*x17 + gz2*n2_z
+    # signed distance from O to D_i (7) [m]
+    delta2 = a + ng2/((p2*p2))
+    # position of D_i (7) [m]
+    d2_x = -mpf(1)/2*delta2
+    d2_y = SQRT3_2*delta2
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    x22 = 1.0/p3
+    # signed distance from C to B_i (4) [m]
+    e3 = h3*x22
+    x23 = SQRT3_2*n3_x - mpf(1)/2*n3_y
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*x23 + p3*(-x18 + x19)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # length of the outer limb (10) [m]
+    q3 = l3/absolute(p3)
+    x24 = x22/q3
+    x25 = gt3*x24
+    # unit vector along the outer limb Section IV [1]
+    w3_x = SQRT3_2*x25
+    w3_y = -mpf(1)/2*x25
+    w3_z = gz3*x24
+    # p_i times the part of the leg along n_i [m]
+    ng3 = gt3*x23 + gz3*n3_z
+    # signed distance from O to D_i (7) [m]
+    delta3 = a + ng3/((p3*p3))
+    # position of D_i (7) [m]
+    d3_x = -mpf(1)/2*delta3
+    d3_y = -SQRT3_2*delta3
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x26 = 1.0/rho1
+    # unit vector from B_i to D_i (14) [1]
+    s1_x = x26*(m1_x*tau1 + nu_x*sigma1)
+    s1_y = x26*(m1_y*tau1 + nu_y*sigma1)
+    s1_z = x26*(m1_z*tau1 + nu_z*sigma1)
+    x27 = e1*x26
+    # moment of S_i about C (14) [m]
+    so1_x = x27*(-m1_x*sigma1 + nu_x*tau1)
+    so1_y = x27*(-m1_y*sigma1 + nu_y*tau1)
+    so1_z = x27*(-m1_z*sigma1 + nu_z*tau1)
+    x28 = mpf(1)/2*nu_y
+    x29 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x28 - x29)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - mpf(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x30 = 1.0/rho2
+    # unit vector from B_i to D_i (14) [1]
+    s2_x = x30*(m2_x*tau2 + nu_x*sigma2)
+    s2_y = x30*(m2_y*tau2 + nu_y*sigma2)
+    s2_z = x30*(m2_z*tau2 + nu_z*sigma2)
+    x31 = e2*x30
+    # moment of S_i about C (14) [m]
+    so2_x = x31*(-m2_x*sigma2 + nu_x*tau2)
+    so2_y = x31*(-m2_y*sigma2 + nu_y*tau2)
+    so2_z = x31*(-m2_z*sigma2 + nu_z*tau2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x28 + x29)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x32 = 1.0/rho3
+    # unit vector from B_i to D_i (14) [1]
+    s3_x = x32*(m3_x*tau3 + nu_x*sigma3)
+    s3_y = x32*(m3_y*tau3 + nu_y*sigma3)
+    s3_z = x32*(m3_z*tau3 + nu_z*sigma3)
+    x33 = e3*x32
+    # moment of S_i about C (14) [m]
+    so3_x = x33*(-m3_x*sigma3 + nu_x*tau3)
+    so3_y = x33*(-m3_y*sigma3 + nu_y*tau3)
+    so3_z = x33*(-m3_z*sigma3 + nu_z*tau3)
+    return LimbGeometry(
+        [[delta1, 0.0, 0.0], [d2_x, d2_y, 0.0], [d3_x, d3_y, 0.0]],
+        [[0.0, w1_y, w1_z], [w2_x, w2_y, w2_z], [w3_x, w3_y, w3_z]],
+        [[s1_x, s1_y, s1_z, so1_x, so1_y, so1_z], [s2_x, s2_y, s2_z, so2_x, so2_y, so2_z], [s3_x, s3_y, s3_z, so3_x, so3_y, so3_z]],
+    )
+
+
+class Screws(NamedTuple):
+    """What `screws` returns."""
+
+    limb1: Nested
+    limb2: Nested
+    limb3: Nested
+    limb4: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def screws(a: Nested, c: Nested, R: Nested, heading: Nested) -> Screws:
+    """The joint screws of the four limbs at pole C, a row a joint.
+
+    Equations Section IV of the paper; base frame.
+    228 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    heading : nested list (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+
+    Returns
+    -------
+    limb1 : nested list (..., 6, 6)
+        screws of limb 1 [1, m]
+    limb2 : nested list (..., 6, 6)
+        screws of limb 2 [1, m]
+    limb3 : nested list (..., 6, 6)
+        screws of limb 3 [1, m]
+    limb4 : nested list (..., 6, 6)
+        screws of limb 4 [1, m]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    heading = _exact(heading)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    x6 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x6)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x6)
+    x7 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x7
+    lambda_y = c_y*x7
+    lambda_z = c_z*x7
+    x8 = -c_x
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a + x8
+    x9 = 1.0/n1_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1*x9
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    # length of the outer limb (10) [m]
+    q1 = l1/absolute(n1_x)
+    x10 = x9/q1
+    # unit vector along the outer limb Section IV [1]
+    w1_y = gt1*x10
+    w1_z = gz1*x10
+    x11 = -mpf(1)/2*a
+    # position of A_2 Section II [m]
+    a2_x = x11
+    x12 = SQRT3_2*a
+    a2_y = x12
+    x13 = SQRT3_2*c_y
+    x14 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    x15 = 1.0/p2
+    # signed distance from C to B_i (4) [m]
+    e2 = h2*x15
+    x16 = mpf(1)/2*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - mpf(1)/2*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # length of the outer limb (10) [m]
+    q2 = l2/absolute(p2)
+    x18 = x15/q2
+    x19 = gt2*x18
+    # unit vector along the outer limb Section IV [1]
+    w2_x = -SQRT3_2*x19
+    w2_y = -mpf(1)/2*x19
+    w2_z = gz2*x18
+    # position of A_3 Section II [m]
+    a3_x = x11
+    a3_y = -x12
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    x20 = 1.0/p3
+    # signed distance from C to B_i (4) [m]
+    e3 = h3*x20
+    x21 = -x16
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - mpf(1)/2*n3_y) + p3*(x17 + x21)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # length of the outer limb (10) [m]
+    q3 = l3/absolute(p3)
+    x22 = x20/q3
+    x23 = gt3*x22
+    # unit vector along the outer limb Section IV [1]
+    w3_x = SQRT3_2*x23
+    w3_y = -mpf(1)/2*x23
+    w3_z = gz3*x22
+    x24 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x24
+    axis_y = -heading_1*x24
+    # lower revolute, actuated by q4 Section IV [1, m]
+    screw41_ox = -c_y
+    # second revolute, actuated by q5 Section IV [1, m]
+    screw42_ox = axis_y*c_z
+    screw42_oy = -axis_x*c_z
+    screw42_oz = axis_x*c_y - axis_y*c_x
+    # universal joint, second axis Section IV [1, m]
+    screw46_x = x1
+    screw46_y = x3
+    screw46_z = x5
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw1_x = n1_y*w1_z - n1_z*w1_y
+    nw1_y = -n1_x*w1_z
+    nw1_z = n1_x*w1_y
+    # base revolute Section IV [1, m]
+    screw11_oy = -c_z
+    # revolute along the leg Section IV [1, m]
+    screw13_ox = e1*nw1_x
+    screw13_oy = e1*nw1_y
+    screw13_oz = e1*nw1_z
+    # upper revolute Section IV [1, m]
+    screw14_ox = e1*(n1_y*nw1_z - n1_z*nw1_y)
+    screw14_oy = e1*(-n1_x*nw1_z + n1_z*nw1_x)
+    screw14_oz = e1*(n1_x*nw1_y - n1_y*nw1_x)
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw2_x = n2_y*w2_z - n2_z*w2_y
+    nw2_y = -n2_x*w2_z + n2_z*w2_x
+    nw2_z = n2_x*w2_y - n2_y*w2_x
+    x25 = SQRT3_2*c_z
+    # base revolute Section IV [1, m]
+    screw21_ox = x25
+    x26 = mpf(1)/2*c_z
+    screw21_oy = x26
+    screw21_oz = -SQRT3_2*(-a2_x - x8) + mpf(1)/2*a2_y - x16
+    # revolute along the leg Section IV [1, m]
+    screw23_ox = e2*nw2_x
+    screw23_oy = e2*nw2_y
+    screw23_oz = e2*nw2_z
+    # upper revolute Section IV [1, m]
+    screw24_ox = e2*(n2_y*nw2_z - n2_z*nw2_y)
+    screw24_oy = e2*(-n2_x*nw2_z + n2_z*nw2_x)
+    screw24_oz = e2*(n2_x*nw2_y - n2_y*nw2_x)
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw3_x = n3_y*w3_z - n3_z*w3_y
+    nw3_y = -n3_x*w3_z + n3_z*w3_x
+    nw3_z = n3_x*w3_y - n3_y*w3_x
+    # base revolute Section IV [1, m]
+    screw31_ox = -x25
+    screw31_oy = x26
+    screw31_oz = SQRT3_2*(-a3_x - x8) + mpf(1)/2*a3_y + x21
+    # revolute along the leg Section IV [1, m]
+    screw33_ox = e3*nw3_x
+    screw33_oy = e3*nw3_y
+    screw33_oz = e3*nw3_z
+    # upper revolute Section IV [1, m]
+    screw34_ox = e3*(n3_y*nw3_z - n3_z*nw3_y)
+    screw34_oy = e3*(-n3_x*nw3_z + n3_z*nw3_x)
+    screw34_oz = e3*(n3_x*nw3_y - n3_y*nw3_x)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    return Screws(
+        [[1.0, 0.0, 0.0, 0.0, screw11_oy, c_y], [0.0, 0.0, 0.0, 0.0, w1_y, w1_z], [0.0, w1_y, w1_z, screw13_ox, screw13_oy, screw13_oz], [nw1_x, nw1_y, nw1_z, screw14_ox, screw14_oy, screw14_oz], [n1_x, n1_y, n1_z, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, n1_x, n1_y, n1_z]],
+        [[mpf(-1)/2, SQRT3_2, 0.0, screw21_ox, screw21_oy, screw21_oz], [0.0, 0.0, 0.0, w2_x, w2_y, w2_z], [w2_x, w2_y, w2_z, screw23_ox, screw23_oy, screw23_oz], [nw2_x, nw2_y, nw2_z, screw24_ox, screw24_oy, screw24_oz], [n2_x, n2_y, n2_z, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, n2_x, n2_y, n2_z]],
+        [[mpf(-1)/2, -SQRT3_2, 0.0, screw31_ox, screw31_oy, screw31_oz], [0.0, 0.0, 0.0, w3_x, w3_y, w3_z], [w3_x, w3_y, w3_z, screw33_ox, screw33_oy, screw33_oz], [nw3_x, nw3_y, nw3_z, screw34_ox, screw34_oy, screw34_oz], [n3_x, n3_y, n3_z, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, n3_x, n3_y, n3_z]],
+        [[0.0, 0.0, 1.0, screw41_ox, c_x, 0.0], [axis_x, axis_y, 0.0, screw42_ox, screw42_oy, screw42_oz], [0.0, 0.0, 0.0, lambda_x, lambda_y, lambda_z], [lambda_x, lambda_y, lambda_z, 0.0, 0.0, 0.0], [n1_x, n1_y, n1_z, 0.0, 0.0, 0.0], [screw46_x, screw46_y, screw46_z, 0.0, 0.0, 0.0]],
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
+class Jacobians(NamedTuple):
+    """What `jacobians` returns."""
+
+    J_v: Nested
+    J_q: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def jacobians(a: Nested, c: Nested, R: Nested, heading: Nested) -> Jacobians:
+    """Forward and inverse Jacobian, J_vᵀ Δ V = J_q q̇.
+
+    Equations (17)-(19), (22)-(24) of the paper; base frame.
+    283 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    heading : nested list (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+
+    Returns
+    -------
+    J_v : nested list (..., 6, 6)
+        forward Jacobian [1, m]
+    J_q : nested list (..., 6, 6)
+        inverse Jacobian [1, m]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    heading = _exact(heading)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = mpf(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = mpf(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = mpf(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x16 = mpf(1)/2*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - mpf(1)/2*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - mpf(1)/2*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x18 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x18
+    axis_y = -heading_1*x18
+    # lower revolute, actuated by q4 Section IV [1, m]
+    screw41_ox = -c_y
+    # second revolute, actuated by q5 Section IV [1, m]
+    screw42_ox = axis_y*c_z
+    screw42_oy = -axis_x*c_z
+    screw42_oz = axis_x*c_y - axis_y*c_x
+    # universal joint, second axis Section IV [1, m]
+    screw46_x = x1
+    screw46_y = x3
+    screw46_z = x5
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x19 = 1.0/rho1
+    # unit vector from B_i to D_i (14) [1]
+    s1_x = x19*(m1_x*tau1 + nu_x*sigma1)
+    s1_y = x19*(m1_y*tau1 + nu_y*sigma1)
+    s1_z = x19*(m1_z*tau1 + nu_z*sigma1)
+    x20 = e1*x19
+    # moment of S_i about C (14) [m]
+    so1_x = x20*(-m1_x*sigma1 + nu_x*tau1)
+    so1_y = x20*(-m1_y*sigma1 + nu_y*tau1)
+    so1_z = x20*(-m1_z*sigma1 + nu_z*tau1)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -l1*x19*absolute(n1_x)
+    x21 = mpf(1)/2*nu_y
+    x22 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x21 - x22)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - mpf(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x23 = 1.0/rho2
+    # unit vector from B_i to D_i (14) [1]
+    s2_x = x23*(m2_x*tau2 + nu_x*sigma2)
+    s2_y = x23*(m2_y*tau2 + nu_y*sigma2)
+    s2_z = x23*(m2_z*tau2 + nu_z*sigma2)
+    x24 = e2*x23
+    # moment of S_i about C (14) [m]
+    so2_x = x24*(-m2_x*sigma2 + nu_x*tau2)
+    so2_y = x24*(-m2_y*sigma2 + nu_y*tau2)
+    so2_z = x24*(-m2_z*sigma2 + nu_z*tau2)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -l2*x23*absolute(p2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x21 + x22)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x25 = 1.0/rho3
+    # unit vector from B_i to D_i (14) [1]
+    s3_x = x25*(m3_x*tau3 + nu_x*sigma3)
+    s3_y = x25*(m3_y*tau3 + nu_y*sigma3)
+    s3_z = x25*(m3_z*tau3 + nu_z*sigma3)
+    x26 = e3*x25
+    # moment of S_i about C (14) [m]
+    so3_x = x26*(-m3_x*sigma3 + nu_x*tau3)
+    so3_y = x26*(-m3_y*sigma3 + nu_y*tau3)
+    so3_z = x26*(-m3_z*sigma3 + nu_z*tau3)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -l3*x25*absolute(p3)
+    # inverse Jacobian matrix (19), (22)-(24) [1, m]
+    J_q_54 = c_x*n1_y + n1_x*screw41_ox
+    J_q_55 = n1_x*screw42_ox + n1_y*screw42_oy + n1_z*screw42_oz
+    J_q_56 = lambda_x*n1_x + lambda_y*n1_y + lambda_z*n1_z
+    J_q_64 = c_x*screw46_y + screw41_ox*screw46_x
+    J_q_65 = screw42_ox*screw46_x + screw42_oy*screw46_y + screw42_oz*screw46_z
+    J_q_66 = lambda_x*screw46_x + lambda_y*screw46_y + lambda_z*screw46_z
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    return Jacobians(
+        [[s1_x, s2_x, s3_x, lambda_x, n1_x, screw46_x], [s1_y, s2_y, s3_y, lambda_y, n1_y, screw46_y], [s1_z, s2_z, s3_z, lambda_z, n1_z, screw46_z], [so1_x, so2_x, so3_x, 0.0, 0.0, 0.0], [so1_y, so2_y, so3_y, 0.0, 0.0, 0.0], [so1_z, so2_z, so3_z, 0.0, 0.0, 0.0]],
+        [[limb1, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, limb2, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, limb3, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, J_q_54, J_q_55, J_q_56], [0.0, 0.0, 0.0, J_q_64, J_q_65, J_q_66]],
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
+class InverseVelocity(NamedTuple):
+    """What `inverse_velocity` returns."""
+
+    rates: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def inverse_velocity(a: Nested, c: Nested, R: Nested, twist: Nested) -> InverseVelocity:
+    """Joint rates from the twist.
+
+    Equations (15), (16) of the paper; base frame.
+    260 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    twist : nested list (..., 2, 3)
+        [omega, v_C] [rad/s, m/s]
+
+    Returns
+    -------
+    rates : nested list (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    twist = _exact(twist)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    (omega_x, omega_y, omega_z), (v_x, v_y, v_z) = twist
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = mpf(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = mpf(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = mpf(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    x16 = mpf(1)/2*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - mpf(1)/2*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - mpf(1)/2*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    x18 = mpf(1)/2*nu_y
+    x19 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x18 - x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - mpf(1)/2*m2_y)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x18 + x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    # rate of the outer limb 1 (15) [m/s]
+    dq1 = (-h1*(omega_x*(-m1_x*sigma1 + nu_x*tau1) + omega_y*(-m1_y*sigma1 + nu_y*tau1) + omega_z*(-m1_z*sigma1 + nu_z*tau1)) - n1_x*(v_x*(m1_x*tau1 + nu_x*sigma1) + v_y*(m1_y*tau1 + nu_y*sigma1) + v_z*(m1_z*tau1 + nu_z*sigma1)))/(l1*n1_x*absolute(n1_x))
+    # rate of the outer limb 2 (15) [m/s]
+    dq2 = (-h2*(omega_x*(-m2_x*sigma2 + nu_x*tau2) + omega_y*(-m2_y*sigma2 + nu_y*tau2) + omega_z*(-m2_z*sigma2 + nu_z*tau2)) - p2*(v_x*(m2_x*tau2 + nu_x*sigma2) + v_y*(m2_y*tau2 + nu_y*sigma2) + v_z*(m2_z*tau2 + nu_z*sigma2)))/(l2*p2*absolute(p2))
+    # rate of the outer limb 3 (15) [m/s]
+    dq3 = (-h3*(omega_x*(-m3_x*sigma3 + nu_x*tau3) + omega_y*(-m3_y*sigma3 + nu_y*tau3) + omega_z*(-m3_z*sigma3 + nu_z*tau3)) - p3*(v_x*(m3_x*tau3 + nu_x*sigma3) + v_y*(m3_y*tau3 + nu_y*sigma3) + v_z*(m3_z*tau3 + nu_z*sigma3)))/(l3*p3*absolute(p3))
+    # rate of the azimuth (16) [rad/s]
+    dq4 = (c_x*v_y - c_y*v_x)/((r*r))
+    # rate of the elevation (16) [rad/s]
+    dq5 = (-c_z*(c_x*v_x + c_y*v_y)/r + r*v_z)/((q6*q6))
+    # rate of the central limb's length (16) [m/s]
+    dq6 = lambda_x*v_x + lambda_y*v_y + lambda_z*v_z
+    return InverseVelocity(
+        [dq1, dq2, dq3, dq4, dq5, dq6],
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
+class ForwardVelocity(NamedTuple):
+    """What `forward_velocity` returns."""
+
+    twist: Nested
+    determinant: Nested
+    extension: Nested
+    extension_scale: Nested
+    orientation: Nested
+    orientation_scale: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def forward_velocity(a: Nested, c: Nested, R: Nested, heading: Nested, rates: Nested) -> ForwardVelocity:
+    """Twist from the joint rates, and the determinant of its 3×3 with its factors.
+
+    Equations (12), (17) of the paper; base frame.
+    366 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    heading : nested list (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+    rates : nested list (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+
+    Returns
+    -------
+    twist : nested list (..., 6)
+        [omega, v_C] [rad/s, m/s]
+    determinant : nested list (...)
+        det of the moments of S_i [m³]
+    extension : nested list (..., 3)
+        signed distances e_i from C to B_i [m]
+    extension_scale : nested list (..., 3)
+        scales of the e_i [m]
+    orientation : nested list (...)
+        det[n_i × (d_i − c)] [m³]
+    orientation_scale : nested list (...)
+        scale of orientation [m³]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    heading = _exact(heading)
+    rates = _exact(rates)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    dq1, dq2, dq3, dq4, dq5, dq6 = rates
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = mpf(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = mpf(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = mpf(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x16 = mpf(1)/2*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - mpf(1)/2*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - mpf(1)/2*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x18 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x18
+    axis_y = -heading_1*x18
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x19 = mpf(1)/2*nu_y
+    x20 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x19 - x20)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - mpf(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x19 + x20)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x21 = sigma2*tau3
+    x22 = sigma3*tau2
+    x23 = sigma3*tau1
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*x21 + sigma1*x22 + sigma2*x23
+    x24 = SQRT3_2*tilt
+    x25 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = x24*x25
+    # determinant of the moments of S_1, S_2, S_3 (27) [m³]
+    det_moments = e1*e2*e3*x24/(rho1*rho2*rho3)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x26 = a + q6
+    x27 = absolute(n1_x)
+    # scale of e1 [m]
+    e_scale1 = x26/x27
+    x28 = absolute(p2)
+    # scale of e2 [m]
+    e_scale2 = x26/x28
+    x29 = absolute(p3)
+    # scale of e3 [m]
+    e_scale3 = x26/x29
+    x30 = absolute(sigma1)
+    x31 = absolute(sigma2)
+    x32 = absolute(sigma3)
+    x33 = absolute(tau2)
+    x34 = absolute(tau3)
+    x35 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = SQRT3_2*reach*x25*(x30*x31 + x30*x32 + x30*x33 + x30*x34 + x31*x32 + x31*x34 + x31*x35 + x32*x33 + x32*x35)
+    x36 = c_z*dq5
+    # velocity of C (12), (16) [m/s]
+    v_x = axis_y*x36 - c_y*dq4 + dq6*lambda_x
+    v_y = -axis_x*x36 + c_x*dq4 + dq6*lambda_y
+    v_z = dq5*(axis_x*c_y - axis_y*c_x) + dq6*lambda_z
+    x37 = nu_y*sigma1
+    x38 = nu_z*sigma1
+    # what limb 1 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive1 = n1_x*(-dq1*l1*x27 - v_x*(m1_x*tau1 + nu_x*sigma1) - v_y*(m1_y*tau1 + x37) - v_z*(m1_z*tau1 + x38))/h1
+    x39 = nu_y*sigma2
+    x40 = nu_z*sigma2
+    # what limb 2 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive2 = p2*(-dq2*l2*x28 - v_x*(m2_x*tau2 + nu_x*sigma2) - v_y*(m2_y*tau2 + x39) - v_z*(m2_z*tau2 + x40))/h2
+    # what limb 3 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive3 = p3*(-dq3*l3*x29 - v_x*(m3_x*tau3 + nu_x*sigma3) - v_y*(m3_y*tau3 + nu_y*sigma3) - v_z*(m3_z*tau3 + nu_z*sigma3))/h3
+    x41 = sigma3*x20
+    x42 = n1_x*sigma1
+    x43 = sigma2*tau1
+    x44 = mpf(4)/3*SQRT3_2/tilt
+    # angular velocity (17) [rad/s]
+    omega_x = x44*(drive1*(-n2_x*x21 + n3_x*x22 + sigma2*x41) + drive2*(-n3_x*x23 + sigma1*x41 + tau3*x42) + drive3*(n2_x*x43 + sigma1*sigma2*x20 - tau2*x42))
+    x45 = SQRT3_2*sigma3
+    x46 = n1_y*sigma1
+    x47 = SQRT3_2*sigma2
+    omega_y = x44*(drive1*(-n2_y*x21 + n3_y*x22 + x39*x45) + drive2*(-n3_y*x23 + tau3*x46 + x37*x45) + drive3*(n2_y*x43 - tau2*x46 + x37*x47))
+    x48 = n1_z*sigma1
+    omega_z = x44*(drive1*(-n2_z*x21 + n3_z*x22 + x40*x45) + drive2*(-n3_z*x23 + tau3*x48 + x38*x45) + drive3*(n2_z*x43 - tau2*x48 + x38*x47))
+    return ForwardVelocity(
+        [omega_x, omega_y, omega_z, v_x, v_y, v_z],
+        det_moments,
+        [e1, e2, e3],
+        [e_scale1, e_scale2, e_scale3],
+        orientation,
+        orientation_scale,
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
+class InverseSingularity(NamedTuple):
+    """What `inverse_singularity` returns."""
+
+    determinant: Nested
+    limb: Nested
+    central: Nested
+    wrist: Nested
+    limb_scale: Nested
+    central_scale: Nested
+    wrist_scale: Nested
+
+
+def inverse_singularity(a: Nested, c: Nested, R: Nested) -> InverseSingularity:
+    """det J_q and its factors: the product of limb, central and wrist.
+
+    Equations (22)-(26) of the paper; base frame.
+    167 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    determinant : nested list (...)
+        det J_q [m²]
+    limb : nested list (..., 3)
+        Klein forms of S_i and the actuated screw [1]
+    central : nested list (...)
+        q6² cos q5 [m²]
+    wrist : nested list (...)
+        (n_1 × n_2)·lambda [1]
+    limb_scale : nested list (..., 3)
+        scales of limb [1]
+    central_scale : nested list (...)
+        scale of central [m²]
+    wrist_scale : nested list (...)
+        scale of wrist [1]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = mpf(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = mpf(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = mpf(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x13 = SQRT3_2*c_y
+    x14 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    x15 = mpf(1)/2*c_y
+    x16 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - mpf(1)/2*n2_y) + p2*(-x15 - x16)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - mpf(1)/2*n3_y) + p3*(-x15 + x16)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x17 = l1/rho1
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -x17*absolute(n1_x)
+    x18 = mpf(1)/2*nu_y
+    x19 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x18 - x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - mpf(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x20 = l2/rho2
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -x20*absolute(p2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x18 + x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x21 = l3/rho3
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -x21*absolute(p3)
+    # central limb: q6² cos q5 (26) [m²]
+    central = q6*r
+    x22 = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = x22/q6
+    # determinant of the inverse Jacobian (22)-(26) [m²]
+    det_J_q = limb1*limb2*limb3*r*x22
+    # scale of limb 1's Klein form [1]
+    limb_scale1 = x17
+    # scale of limb 2's Klein form [1]
+    limb_scale2 = x20
+    # scale of limb 3's Klein form [1]
+    limb_scale3 = x21
+    # scale of the central factor [m²]
+    central_scale = (q6*q6)
+    return InverseSingularity(
+        det_J_q,
+        [limb1, limb2, limb3],
+        central,
+        wrist,
+        [limb_scale1, limb_scale2, limb_scale3],
+        central_scale,
+        SQRT3_2,
+    )
+
+
+class DirectSingularity(NamedTuple):
+    """What `direct_singularity` returns."""
+
+    determinant: Nested
+    extension: Nested
+    orientation: Nested
+    wrist: Nested
+    extension_scale: Nested
+    orientation_scale: Nested
+    wrist_scale: Nested
+
+
+def direct_singularity(a: Nested, c: Nested, R: Nested) -> DirectSingularity:
+    """det J_v and its factors: −∏(e_i / |d_i − b_i|) · orientation · wrist.
+
+    Equations (27) of the paper; base frame.
+    194 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    determinant : nested list (...)
+        det J_v [m³]
+    extension : nested list (..., 3)
+        signed distances e_i from C to B_i [m]
+    orientation : nested list (...)
+        det[n_i × (d_i − c)] [m³]
+    wrist : nested list (...)
+        (n_1 × n_2)·lambda [1]
+    extension_scale : nested list (..., 3)
+        scales of the e_i [m]
+    orientation_scale : nested list (...)
+        scale of orientation [m³]
+    wrist_scale : nested list (...)
+        scale of wrist [1]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = mpf(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = mpf(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = mpf(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_x*c_x) + (c_y*c_y) + (c_z*c_z))
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    x12 = SQRT3_2*c_y
+    x13 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x12 + x13
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x14 = mpf(1)/2*c_y
+    x15 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - mpf(1)/2*n2_y) + p2*(-x14 - x15)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x12 + x13
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - mpf(1)/2*n3_y) + p3*(-x14 + x15)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x16 = mpf(1)/2*nu_y
+    x17 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x16 - x17)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - mpf(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x16 + x17)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)/q6
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1
+    x18 = SQRT3_2*tilt
+    x19 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = x18*x19
+    # determinant of the moments of S_1, S_2, S_3 (27) [m³]
+    det_moments = e1*e2*e3*x18/(rho1*rho2*rho3)
+    # determinant of the forward Jacobian (27) [m³]
+    det_J_v = -det_moments*wrist
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x20 = a + q6
+    # scale of e1 [m]
+    e_scale1 = x20/absolute(n1_x)
+    # scale of e2 [m]
+    e_scale2 = x20/absolute(p2)
+    # scale of e3 [m]
+    e_scale3 = x20/absolute(p3)
+    x21 = absolute(sigma1)
+    x22 = absolute(sigma2)
+    x23 = absolute(sigma3)
+    x24 = absolute(tau2)
+    x25 = absolute(tau3)
+    x26 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = SQRT3_2*reach*x19*(x21*x22 + x21*x23 + x21*x24 + x21*x25 + x22*x23 + x22*x25 + x22*x26 + x23*x24 + x23*x26)
+    return DirectSingularity(
+        det_J_v,
+        [e1, e2, e3],
+        orientation,
+        wrist,
+        [e_scale1, e_scale2, e_scale3],
+        orientation_scale,
+        SQRT3_2,
+    )
+
+
+class Survey(NamedTuple):
+    """What `survey` returns."""
+
+    joints: Nested
+    extension: Nested
+    inverse_determinant: Nested
+    direct_determinant: Nested
+    limb: Nested
+    central: Nested
+    wrist: Nested
+    orientation: Nested
+    limb_scale: Nested
+    central_scale: Nested
+    wrist_scale: Nested
+    extension_scale: Nested
+    orientation_scale: Nested
+
+
+def survey(a: Nested, c: Nested, R: Nested) -> Survey:
+    """Joint values, extensions, both determinants and their factors in one pass.
+
+    Equations (4), (10), (11), (22)-(27) of the paper; base frame.
+    237 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    joints : nested list (..., 6)
+        q1 ... q6 [m, rad]
+    extension : nested list (..., 3)
+        signed distances e_i from C to B_i [m]
+    inverse_determinant : nested list (...)
+        det J_q [m²]
+    direct_determinant : nested list (...)
+        det J_v [m³]
+    limb : nested list (..., 3)
+        Klein forms of S_i and the actuated screw [1]
+    central : nested list (...)
+        q6² cos q5 [m²]
+    wrist : nested list (...)
+        (n_1 × n_2)·lambda [1]
+    orientation : nested list (...)
+        det[n_i × (d_i − c)] [m³]
+    limb_scale : nested list (..., 3)
+        scales of limb [1]
+    central_scale : nested list (...)
+        scale of central [m²]
+    wrist_scale : nested list (...)
+        scale of wrist [1]
+    extension_scale : nested list (..., 3)
+        scales of the e_i [m]
+    orientation_scale : nested list (...)
+        scale of orientation [m³]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = mpf(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = mpf(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = mpf(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    # elevation of the central limb (11) [rad]
+    q5 = atan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = atan2(c_y, c_x)
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x13 = absolute(n1_x)
+    x14 = 1.0/x13
+    # length of the outer limb (10) [m]
+    q1 = l1*x14
+    x15 = SQRT3_2*c_y
+    x16 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x15 + x16
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x17 = mpf(1)/2*c_y
+    x18 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - mpf(1)/2*n2_y) + p2*(-x17 - x18)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    x19 = absolute(p2)
+    x20 = 1.0/x19
+    # length of the outer limb (10) [m]
+    q2 = l2*x20
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x15 + x16
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - mpf(1)/2*n3_y) + p3*(-x17 + x18)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x21 = absolute(p3)
+    x22 = 1.0/x21
+    # length of the outer limb (10) [m]
+    q3 = l3*x22
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x23 = 1.0/rho1
+    x24 = l1*x23
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -x13*x24
+    x25 = mpf(1)/2*nu_y
+    x26 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x25 - x26)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - mpf(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x27 = 1.0/rho2
+    x28 = l2*x27
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -x19*x28
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x25 + x26)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x29 = 1.0/rho3
+    x30 = l3*x29
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -x21*x30
+    # central limb: q6² cos q5 (26) [m²]
+    central = q6*r
+    x31 = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = x31/q6
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1
+    x32 = SQRT3_2*tilt
+    x33 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = x32*x33
+    # determinant of the inverse Jacobian (22)-(26) [m²]
+    det_J_q = limb1*limb2*limb3*r*x31
+    # determinant of the moments of S_1, S_2, S_3 (27) [m³]
+    det_moments = e1*e2*e3*x23*x27*x29*x32
+    # determinant of the forward Jacobian (27) [m³]
+    det_J_v = -det_moments*wrist
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    # scale of limb 1's Klein form [1]
+    limb_scale1 = x24
+    x34 = a + q6
+    # scale of e1 [m]
+    e_scale1 = x14*x34
+    # scale of limb 2's Klein form [1]
+    limb_scale2 = x28
+    # scale of e2 [m]
+    e_scale2 = x20*x34
+    # scale of limb 3's Klein form [1]
+    limb_scale3 = x30
+    # scale of e3 [m]
+    e_scale3 = x22*x34
+    # scale of the central factor [m²]
+    central_scale = (q6*q6)
+    x35 = absolute(sigma1)
+    x36 = absolute(sigma2)
+    x37 = absolute(sigma3)
+    x38 = absolute(tau2)
+    x39 = absolute(tau3)
+    x40 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = SQRT3_2*reach*x33*(x35*x36 + x35*x37 + x35*x38 + x35*x39 + x36*x37 + x36*x39 + x36*x40 + x37*x38 + x37*x40)
+    return Survey(
+        [q1, q2, q3, q4, q5, q6],
+        [e1, e2, e3],
+        det_J_q,
+        det_J_v,
+        [limb1, limb2, limb3],
+        central,
+        wrist,
+        orientation,
+        [limb_scale1, limb_scale2, limb_scale3],
+        central_scale,
+        SQRT3_2,
+        [e_scale1, e_scale2, e_scale3],
+        orientation_scale,
+    )

@@ -1,0 +1,2852 @@
+# Generated from derivations/ by "make derive"; do not edit.
+# SPDX-License-Identifier: BSD-3-Clause
+"""NumPy kernels of the uncoupled manipulator 3-RPRRC+RRPRU.
+
+Leading axes broadcast, trailing axes are the mathematical shape, everything is float64.
+A result holds its components one after the other in memory, so that ``result[..., i]`` is
+contiguous. Nothing is raised for a singular pose: it gives inf, or NaN where 0/0.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+from numpy import absolute, arctan2, cos, sin, sqrt
+
+from kleinform_kernels._apply import apply
+
+if TYPE_CHECKING:
+    from numpy import float64
+    from numpy.typing import ArrayLike, NDArray
+
+    Array = NDArray[float64]
+
+#: √3/2, exactly rounded.
+SQRT3_2 = 0.8660254037844386
+
+
+class InverseDisplacement(NamedTuple):
+    """What `inverse_displacement` returns."""
+
+    joints: Array
+    extension: Array
+    platform_joints: Array
+    incidence: Array
+    radial: Array
+
+
+def inverse_displacement(a: ArrayLike, c: ArrayLike, R: ArrayLike) -> InverseDisplacement:
+    """Joint values from the pose.
+
+    Equations (3), (4), (10), (11) of the paper; base frame.
+    111 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    joints : array (..., 6)
+        q1 ... q6 [m, rad]
+    extension : array (..., 3)
+        signed distances e_i from C to B_i [m]
+    platform_joints : array (..., 3, 3)
+        B_i, a row each [m]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    """
+    return InverseDisplacement(
+        *apply(
+            _inverse_displacement,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+            ),
+            (
+                (6,),
+                (3,),
+                (3, 3),
+                (3,),
+                (),
+            ),
+        )
+    )
+
+
+def _inverse_displacement(
+    out_joints: Array,
+    out_extension: Array,
+    out_platform_joints: Array,
+    out_incidence: Array,
+    out_radial: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    x6 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x6)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x6)
+    # elevation of the central limb (11) [rad]
+    q5 = arctan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = arctan2(c_y, c_x)
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # position of B_i (3) [m]
+    b1_x = c_x + e1*n1_x
+    b1_y = c_y + e1*n1_y
+    b1_z = c_z + e1*n1_z
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    # length of the outer limb (10) [m]
+    q1 = l1/absolute(n1_x)
+    x7 = SQRT3_2*c_y
+    x8 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x7 + x8
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    # position of B_i (3) [m]
+    b2_x = c_x + e2*n2_x
+    b2_y = c_y + e2*n2_y
+    b2_z = c_z + e2*n2_z
+    x9 = 0.5*c_y
+    x10 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x10 - x9)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # length of the outer limb (10) [m]
+    q2 = l2/absolute(p2)
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x7 + x8
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # position of B_i (3) [m]
+    b3_x = c_x + e3*n3_x
+    b3_y = c_y + e3*n3_y
+    b3_z = c_z + e3*n3_z
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(x10 - x9)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # length of the outer limb (10) [m]
+    q3 = l3/absolute(p3)
+    out_joints[0] = q1
+    out_joints[1] = q2
+    out_joints[2] = q3
+    out_joints[3] = q4
+    out_joints[4] = q5
+    out_joints[5] = q6
+    out_extension[0] = e1
+    out_extension[1] = e2
+    out_extension[2] = e3
+    out_platform_joints[0, 0] = b1_x
+    out_platform_joints[0, 1] = b1_y
+    out_platform_joints[0, 2] = b1_z
+    out_platform_joints[1, 0] = b2_x
+    out_platform_joints[1, 1] = b2_y
+    out_platform_joints[1, 2] = b2_z
+    out_platform_joints[2, 0] = b3_x
+    out_platform_joints[2, 1] = b3_y
+    out_platform_joints[2, 2] = b3_z
+    out_incidence[0] = n1_x
+    out_incidence[1] = p2
+    out_incidence[2] = p3
+    out_radial[...] = r
+
+
+class CentralForward(NamedTuple):
+    """What `central_forward` returns."""
+
+    position: Array
+    direction: Array
+
+
+def central_forward(joints: ArrayLike) -> CentralForward:
+    """Position of C from the joint values of the central limb.
+
+    Equations (1) of the paper; base frame.
+    9 operations.
+
+    Parameters
+    ----------
+    joints : array (..., 3)
+        q4, q5, q6 [rad, rad, m]
+
+    Returns
+    -------
+    position : array (..., 3)
+        position of C [m]
+    direction : array (..., 3)
+        unit vector lambda [1]
+    """
+    return CentralForward(
+        *apply(
+            _central_forward,
+            (
+                ("joints", joints, (3,)),
+            ),
+            (
+                (3,),
+                (3,),
+            ),
+        )
+    )
+
+
+def _central_forward(
+    out_position: Array,
+    out_direction: Array,
+    joints: Array,
+) -> None:
+    q4, q5, q6 = joints
+    x0 = cos(q5)
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = x0*cos(q4)
+    lambda_y = x0*sin(q4)
+    lambda_z = sin(q5)
+    # position of the platform's centre C (1) [m]
+    c_x = lambda_x*q6
+    c_y = lambda_y*q6
+    c_z = lambda_z*q6
+    out_position[0] = c_x
+    out_position[1] = c_y
+    out_position[2] = c_z
+    out_direction[0] = lambda_x
+    out_direction[1] = lambda_y
+    out_direction[2] = lambda_z
+
+
+class CentralInverse(NamedTuple):
+    """What `central_inverse` returns."""
+
+    joints: Array
+
+
+def central_inverse(c: ArrayLike) -> CentralInverse:
+    """Joint values of the central limb from the position of C.
+
+    Equations (11) of the paper; base frame.
+    11 operations.
+
+    Parameters
+    ----------
+    c : array (..., 3)
+        position of the platform's centre C [m]
+
+    Returns
+    -------
+    joints : array (..., 3)
+        q4, q5, q6 [rad, rad, m]
+    """
+    return CentralInverse(
+        *apply(
+            _central_inverse,
+            (
+                ("c", c, (3,)),
+            ),
+            (
+                (3,),
+            ),
+        )
+    )
+
+
+def _central_inverse(
+    out_joints: Array,
+    c: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    x0 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x0)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x0)
+    # elevation of the central limb (11) [rad]
+    q5 = arctan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = arctan2(c_y, c_x)
+    out_joints[0] = q4
+    out_joints[1] = q5
+    out_joints[2] = q6
+
+
+class Closure(NamedTuple):
+    """What `closure` returns."""
+
+    residual: Array
+    jacobian: Array
+
+
+def closure(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, directions: ArrayLike) -> Closure:
+    """Residual of the six quadratics in (n_1, n_2), and its Jacobian.
+
+    Equations (6) of the paper; base frame.
+    145 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    lengths : array (..., 3)
+        q1, q2, q3 [m]
+    directions : array (..., 2, 3)
+        n_1 and n_2, a row each [1]
+
+    Returns
+    -------
+    residual : array (..., 6)
+        three cones, three unit conditions [m², 1]
+    jacobian : array (..., 6, 6)
+        by (n_1, n_2) [m², 1]
+    """
+    return Closure(
+        *apply(
+            _closure,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("lengths", lengths, (3,)),
+                ("directions", directions, (2, 3)),
+            ),
+            (
+                (6,),
+                (6, 6),
+            ),
+        )
+    )
+
+
+def _closure(
+    out_residual: Array,
+    out_jacobian: Array,
+    a: Array,
+    c: Array,
+    lengths: Array,
+    directions: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    (n1_x, n1_y, n1_z), (n2_x, n2_y, n2_z) = directions
+    # the third direction (5) [1]
+    n3_x = -n1_x - n2_x
+    n3_y = -n1_y - n2_y
+    n3_z = -n1_z - n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    x0 = (n1_x*n1_x)
+    x1 = (q1*q1)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F1 = (gt1*gt1) + (gz1*gz1) - x0*x1
+    x2 = 2.0*gt1
+    x3 = 2.0*gz1
+    x4 = 2.0*n1_x
+    # gradient of F_i in n_i (6) [m²]
+    dF1_x = c_y*x2 + c_z*x3 - x1*x4
+    dF1_y = h1*x2
+    dF1_z = h1*x3
+    x5 = SQRT3_2*c_y
+    x6 = 0.5*c_x
+    x7 = a + x6
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x5 + x7
+    x8 = 0.5*n2_x
+    x9 = SQRT3_2*n2_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = -x8 + x9
+    x10 = 0.25*c_y
+    x11 = SQRT3_2*x6
+    x12 = -SQRT3_2*h2 + x10 + x11
+    x13 = 0.5*c_y
+    x14 = SQRT3_2*c_x
+    x15 = SQRT3_2*(-x13 - x14) - 0.5*h2
+    # p_i times the horizontal part of the leg [m]
+    gt2 = n2_x*x12 + n2_y*x15
+    # p_i times the vertical part of the leg [m]
+    gz2 = -c_z*x8 + c_z*x9 + h2*n2_z
+    x16 = (q2*q2)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F2 = (gt2*gt2) + (gz2*gz2) - x16*(p2*p2)
+    x17 = c_z*gz2
+    x18 = p2*x16
+    x19 = 2.0*gt2
+    # gradient of F_i in n_i (6) [m²]
+    dF2_x = x12*x19 - x17 + x18
+    x20 = 2.0*SQRT3_2
+    dF2_y = x15*x19 + x17*x20 - x18*x20
+    dF2_z = 2.0*gz2*h2
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x5 + x7
+    x21 = 0.5*n3_x
+    x22 = SQRT3_2*n3_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -x21 - x22
+    x23 = SQRT3_2*h3 + x10 - x11
+    x24 = -SQRT3_2*(-x13 + x14) - 0.5*h3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = n3_x*x23 + n3_y*x24
+    # p_i times the vertical part of the leg [m]
+    gz3 = -c_z*x21 - c_z*x22 + h3*n3_z
+    x25 = (q3*q3)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F3 = (gt3*gt3) + (gz3*gz3) - x25*(p3*p3)
+    x26 = c_z*gz3
+    x27 = p3*x25
+    x28 = 2.0*gt3
+    # gradient of F_i in n_i (6) [m²]
+    dF3_x = x23*x28 - x26 + x27
+    dF3_y = -x20*x26 + x20*x27 + x24*x28
+    dF3_z = 2.0*gz3*h3
+    # n_1 is a unit vector (5) [1]
+    F4 = (n1_y*n1_y) + (n1_z*n1_z) + x0 - 1.0
+    # n_2 is a unit vector (5) [1]
+    F5 = (n2_x*n2_x) + (n2_y*n2_y) + (n2_z*n2_z) - 1.0
+    # n_1, n_2 are 120° apart (5) [1]
+    F6 = n1_x*n2_x + n1_y*n2_y + n1_z*n2_z + 0.5
+    x29 = -dF3_x
+    # derivatives of F by (n_1, n_2) (6) [m², 1]
+    dF_31 = x29
+    x30 = -dF3_y
+    dF_32 = x30
+    x31 = -dF3_z
+    dF_33 = x31
+    dF_34 = x29
+    dF_35 = x30
+    dF_36 = x31
+    dF_41 = x4
+    dF_42 = 2.0*n1_y
+    dF_43 = 2.0*n1_z
+    dF_54 = 2.0*n2_x
+    dF_55 = 2.0*n2_y
+    dF_56 = 2.0*n2_z
+    out_residual[0] = F1
+    out_residual[1] = F2
+    out_residual[2] = F3
+    out_residual[3] = F4
+    out_residual[4] = F5
+    out_residual[5] = F6
+    out_jacobian[0, 0] = dF1_x
+    out_jacobian[0, 1] = dF1_y
+    out_jacobian[0, 2] = dF1_z
+    out_jacobian[1, 3] = dF2_x
+    out_jacobian[1, 4] = dF2_y
+    out_jacobian[1, 5] = dF2_z
+    out_jacobian[2, 0] = dF_31
+    out_jacobian[2, 1] = dF_32
+    out_jacobian[2, 2] = dF_33
+    out_jacobian[2, 3] = dF_34
+    out_jacobian[2, 4] = dF_35
+    out_jacobian[2, 5] = dF_36
+    out_jacobian[3, 0] = dF_41
+    out_jacobian[3, 1] = dF_42
+    out_jacobian[3, 2] = dF_43
+    out_jacobian[4, 3] = dF_54
+    out_jacobian[4, 4] = dF_55
+    out_jacobian[4, 5] = dF_56
+    out_jacobian[5, 0] = n2_x
+    out_jacobian[5, 1] = n2_y
+    out_jacobian[5, 2] = n2_z
+    out_jacobian[5, 3] = n1_x
+    out_jacobian[5, 4] = n1_y
+    out_jacobian[5, 5] = n1_z
+
+
+class RotationFromRpy(NamedTuple):
+    """What `rotation_from_rpy` returns."""
+
+    rotation: Array
+
+
+def rotation_from_rpy(roll: ArrayLike, pitch: ArrayLike, yaw: ArrayLike) -> RotationFromRpy:
+    """Rotation from roll, pitch and yaw, R = Rz(yaw) Ry(pitch) Rx(roll).
+
+    Equations (9) of the paper; base frame.
+    24 operations.
+
+    Parameters
+    ----------
+    roll : array (...)
+        about X, first [rad]
+    pitch : array (...)
+        about Y, second [rad]
+    yaw : array (...)
+        about Z, last [rad]
+
+    Returns
+    -------
+    rotation : array (..., 3, 3)
+        rotation of the platform [1]
+    """
+    return RotationFromRpy(
+        *apply(
+            _rotation_from_rpy,
+            (
+                ("roll", roll, ()),
+                ("pitch", pitch, ()),
+                ("yaw", yaw, ()),
+            ),
+            (
+                (3, 3),
+            ),
+        )
+    )
+
+
+def _rotation_from_rpy(
+    out_rotation: Array,
+    roll: Array,
+    pitch: Array,
+    yaw: Array,
+) -> None:
+    gamma = roll
+    beta = pitch
+    alpha = yaw
+    x0 = cos(alpha)
+    x1 = cos(beta)
+    # rotation of the platform (9) [1]
+    R_11 = x0*x1
+    x2 = sin(alpha)
+    x3 = cos(gamma)
+    x4 = x2*x3
+    x5 = sin(beta)
+    x6 = sin(gamma)
+    R_12 = x0*x5*x6 - x4
+    x7 = x2*x6
+    x8 = x0*x3
+    R_13 = x5*x8 + x7
+    R_21 = x1*x2
+    R_22 = x5*x7 + x8
+    R_23 = -x0*x6 + x4*x5
+    R_31 = -x5
+    R_32 = x1*x6
+    R_33 = x1*x3
+    out_rotation[0, 0] = R_11
+    out_rotation[0, 1] = R_12
+    out_rotation[0, 2] = R_13
+    out_rotation[1, 0] = R_21
+    out_rotation[1, 1] = R_22
+    out_rotation[1, 2] = R_23
+    out_rotation[2, 0] = R_31
+    out_rotation[2, 1] = R_32
+    out_rotation[2, 2] = R_33
+
+
+class RpyFromRotation(NamedTuple):
+    """What `rpy_from_rotation` returns."""
+
+    roll: Array
+    pitch: Array
+    yaw: Array
+
+
+def rpy_from_rotation(R: ArrayLike) -> RpyFromRotation:
+    """Roll, pitch and yaw from the rotation; yaw is zero where R_11 = R_21 = 0.
+
+    Equations (9) of the paper; base frame.
+    17 operations.
+
+    Parameters
+    ----------
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    roll : array (...)
+        in (−π, π] [rad]
+    pitch : array (...)
+        in [−π/2, π/2] [rad]
+    yaw : array (...)
+        in (−π, π] [rad]
+    """
+    return RpyFromRotation(
+        *apply(
+            _rpy_from_rotation,
+            (
+                ("R", R, (3, 3)),
+            ),
+            (
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _rpy_from_rotation(
+    out_roll: Array,
+    out_pitch: Array,
+    out_yaw: Array,
+    R: Array,
+) -> None:
+    (R_11, R_12, R_13), (R_21, R_22, R_23), (R_31, R_32, R_33) = R
+    # yaw (9) [rad]
+    alpha = arctan2(R_21, R_11)
+    # pitch (9) [rad]
+    beta = arctan2(-R_31, sqrt((R_11*R_11) + (R_21*R_21)))
+    x0 = sin(alpha)
+    x1 = cos(alpha)
+    # roll (9) [rad]
+    gamma = arctan2(R_13*x0 - R_23*x1, -R_12*x0 + R_22*x1)
+    out_roll[...] = gamma
+    out_pitch[...] = beta
+    out_yaw[...] = alpha
+
+
+class RotationFromDirections(NamedTuple):
+    """What `rotation_from_directions` returns."""
+
+    rotation: Array
+
+
+def rotation_from_directions(n1: ArrayLike, n2: ArrayLike) -> RotationFromDirections:
+    """Rotation from the platform directions n_1 and n_2.
+
+    Equations (8) of the paper; base frame.
+    40 operations.
+
+    Parameters
+    ----------
+    n1 : array (..., 3)
+        direction from C to B_1 [1]
+    n2 : array (..., 3)
+        direction from C to B_2 [1]
+
+    Returns
+    -------
+    rotation : array (..., 3, 3)
+        rotation of the platform [1]
+    """
+    return RotationFromDirections(
+        *apply(
+            _rotation_from_directions,
+            (
+                ("n1", n1, (3,)),
+                ("n2", n2, (3,)),
+            ),
+            (
+                (3, 3),
+            ),
+        )
+    )
+
+
+def _rotation_from_directions(
+    out_rotation: Array,
+    n1: Array,
+    n2: Array,
+) -> None:
+    n1_x, n1_y, n1_z = n1
+    n2_x, n2_y, n2_z = n2
+    x0 = n1_y*n2_z - n1_z*n2_y
+    x1 = n1_x*n2_y - n1_y*n2_x
+    x2 = -n1_x*n2_z + n1_z*n2_x
+    x3 = 1.0/(sqrt((x0*x0) + (x1*x1) + (x2*x2)))
+    # normal of the platform (8) [1]
+    nu_x = x0*x3
+    nu_y = x2*x3
+    nu_z = x1*x3
+    x4 = -n1_y*x1 + n1_z*x2
+    x5 = n1_x*x1 - n1_z*x0
+    x6 = -n1_x*x2 + n1_y*x0
+    x7 = 1.0/(sqrt((x4*x4) + (x5*x5) + (x6*x6)))
+    # platform y axis (8) [1]
+    m1_x = x4*x7
+    m1_y = x5*x7
+    m1_z = x6*x7
+    out_rotation[0, 0] = n1_x
+    out_rotation[0, 1] = m1_x
+    out_rotation[0, 2] = nu_x
+    out_rotation[1, 0] = n1_y
+    out_rotation[1, 1] = m1_y
+    out_rotation[1, 2] = nu_y
+    out_rotation[2, 0] = n1_z
+    out_rotation[2, 1] = m1_z
+    out_rotation[2, 2] = nu_z
+
+
+class RotationDefect(NamedTuple):
+    """What `rotation_defect` returns."""
+
+    defect: Array
+
+
+def rotation_defect(R: ArrayLike) -> RotationDefect:
+    """How far a matrix is from a rotation; zero for a rotation.
+
+    Equations (8) of the paper; base frame.
+    42 operations.
+
+    Parameters
+    ----------
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    defect : array (...)
+        root of the squared defects [1]
+    """
+    return RotationDefect(
+        *apply(
+            _rotation_defect,
+            (
+                ("R", R, (3, 3)),
+            ),
+            (
+                (),
+            ),
+        )
+    )
+
+
+def _rotation_defect(
+    out_defect: Array,
+    R: Array,
+) -> None:
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    # n_1 × m_1 − ν, zero for a rotation [1]
+    gap_x = -m1_y*n1_z + m1_z*n1_y - nu_x
+    gap_y = m1_x*n1_z - m1_z*n1_x - nu_y
+    gap_z = -m1_x*n1_y + m1_y*n1_x - nu_z
+    # root of the squared defects of |n_1| = |m_1| = 1, n_1·m_1 = 0, n_1 × m_1 = ν [1]
+    defect = sqrt((gap_x*gap_x) + (gap_y*gap_y) + (gap_z*gap_z) + ((m1_x*n1_x + m1_y*n1_y + m1_z*n1_z)*(m1_x*n1_x + m1_y*n1_y + m1_z*n1_z)) + (((m1_x*m1_x) + (m1_y*m1_y) + (m1_z*m1_z) - 1.0)*((m1_x*m1_x) + (m1_y*m1_y) + (m1_z*m1_z) - 1.0)) + (((n1_x*n1_x) + (n1_y*n1_y) + (n1_z*n1_z) - 1.0)*((n1_x*n1_x) + (n1_y*n1_y) + (n1_z*n1_z) - 1.0)))
+    out_defect[...] = defect
+
+
+class LimbGeometry(NamedTuple):
+    """What `limb_geometry` returns."""
+
+    d: Array
+    w: Array
+    lines: Array
+
+
+def limb_geometry(a: ArrayLike, c: ArrayLike, R: ArrayLike) -> LimbGeometry:
+    """Points D_i, unit vectors w_i and reciprocal lines S_i.
+
+    Equations (7), (14) of the paper; base frame.
+    264 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    d : array (..., 3, 3)
+        D_i, a row each [m]
+    w : array (..., 3, 3)
+        w_i, a row each [1]
+    lines : array (..., 3, 6)
+        S_i, a row each [1, m]
+    """
+    return LimbGeometry(
+        *apply(
+            _limb_geometry,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+            ),
+            (
+                (3, 3),
+                (3, 3),
+                (3, 6),
+            ),
+        )
+    )
+
+
+def _limb_geometry(
+    out_d: Array,
+    out_w: Array,
+    out_lines: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    x12 = 1.0/n1_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1*x12
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    # length of the outer limb (10) [m]
+    q1 = l1/absolute(n1_x)
+    x13 = x12/q1
+    # unit vector along the outer limb Section IV [1]
+    w1_y = gt1*x13
+    w1_z = gz1*x13
+    # p_i times the part of the leg along n_i [m]
+    ng1 = gt1*n1_y + gz1*n1_z
+    # signed distance from O to D_i (7) [m]
+    delta1 = a + ng1/((n1_x*n1_x))
+    x14 = SQRT3_2*c_y
+    x15 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    x16 = 1.0/p2
+    # signed distance from C to B_i (4) [m]
+    e2 = h2*x16
+    x17 = -SQRT3_2*n2_x - 0.5*n2_y
+    x18 = 0.5*c_y
+    x19 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*x17 + p2*(-x18 - x19)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # length of the outer limb (10) [m]
+    q2 = l2/absolute(p2)
+    x20 = x16/q2
+    x21 = gt2*x20
+    # unit vector along the outer limb Section IV [1]
+    w2_x = -SQRT3_2*x21
+    w2_y = -0.5*x21
+    w2_z = gz2*x20
+    # p_i times the part of the leg along n_i [m]
+    ng2 = gt2*x17 + gz2*n2_z
+    # signed distance from O to D_i (7) [m]
+    delta2 = a + ng2/((p2*p2))
+    # position of D_i (7) [m]
+    d2_x = -0.5*delta2
+    d2_y = SQRT3_2*delta2
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    x22 = 1.0/p3
+    # signed distance from C to B_i (4) [m]
+    e3 = h3*x22
+    x23 = SQRT3_2*n3_x - 0.5*n3_y
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*x23 + p3*(-x18 + x19)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # length of the outer limb (10) [m]
+    q3 = l3/absolute(p3)
+    x24 = x22/q3
+    x25 = gt3*x24
+    # unit vector along the outer limb Section IV [1]
+    w3_x = SQRT3_2*x25
+    w3_y = -0.5*x25
+    w3_z = gz3*x24
+    # p_i times the part of the leg along n_i [m]
+    ng3 = gt3*x23 + gz3*n3_z
+    # signed distance from O to D_i (7) [m]
+    delta3 = a + ng3/((p3*p3))
+    # position of D_i (7) [m]
+    d3_x = -0.5*delta3
+    d3_y = -SQRT3_2*delta3
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x26 = 1.0/rho1
+    # unit vector from B_i to D_i (14) [1]
+    s1_x = x26*(m1_x*tau1 + nu_x*sigma1)
+    s1_y = x26*(m1_y*tau1 + nu_y*sigma1)
+    s1_z = x26*(m1_z*tau1 + nu_z*sigma1)
+    x27 = e1*x26
+    # moment of S_i about C (14) [m]
+    so1_x = x27*(-m1_x*sigma1 + nu_x*tau1)
+    so1_y = x27*(-m1_y*sigma1 + nu_y*tau1)
+    so1_z = x27*(-m1_z*sigma1 + nu_z*tau1)
+    x28 = 0.5*nu_y
+    x29 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x28 - x29)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x30 = 1.0/rho2
+    # unit vector from B_i to D_i (14) [1]
+    s2_x = x30*(m2_x*tau2 + nu_x*sigma2)
+    s2_y = x30*(m2_y*tau2 + nu_y*sigma2)
+    s2_z = x30*(m2_z*tau2 + nu_z*sigma2)
+    x31 = e2*x30
+    # moment of S_i about C (14) [m]
+    so2_x = x31*(-m2_x*sigma2 + nu_x*tau2)
+    so2_y = x31*(-m2_y*sigma2 + nu_y*tau2)
+    so2_z = x31*(-m2_z*sigma2 + nu_z*tau2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x28 + x29)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x32 = 1.0/rho3
+    # unit vector from B_i to D_i (14) [1]
+    s3_x = x32*(m3_x*tau3 + nu_x*sigma3)
+    s3_y = x32*(m3_y*tau3 + nu_y*sigma3)
+    s3_z = x32*(m3_z*tau3 + nu_z*sigma3)
+    x33 = e3*x32
+    # moment of S_i about C (14) [m]
+    so3_x = x33*(-m3_x*sigma3 + nu_x*tau3)
+    so3_y = x33*(-m3_y*sigma3 + nu_y*tau3)
+    so3_z = x33*(-m3_z*sigma3 + nu_z*tau3)
+    out_d[0, 0] = delta1
+    out_d[1, 0] = d2_x
+    out_d[1, 1] = d2_y
+    out_d[2, 0] = d3_x
+    out_d[2, 1] = d3_y
+    out_w[0, 1] = w1_y
+    out_w[0, 2] = w1_z
+    out_w[1, 0] = w2_x
+    out_w[1, 1] = w2_y
+    out_w[1, 2] = w2_z
+    out_w[2, 0] = w3_x
+    out_w[2, 1] = w3_y
+    out_w[2, 2] = w3_z
+    out_lines[0, 0] = s1_x
+    out_lines[0, 1] = s1_y
+    out_lines[0, 2] = s1_z
+    out_lines[0, 3] = so1_x
+    out_lines[0, 4] = so1_y
+    out_lines[0, 5] = so1_z
+    out_lines[1, 0] = s2_x
+    out_lines[1, 1] = s2_y
+    out_lines[1, 2] = s2_z
+    out_lines[1, 3] = so2_x
+    out_lines[1, 4] = so2_y
+    out_lines[1, 5] = so2_z
+    out_lines[2, 0] = s3_x
+    out_lines[2, 1] = s3_y
+    out_lines[2, 2] = s3_z
+    out_lines[2, 3] = so3_x
+    out_lines[2, 4] = so3_y
+    out_lines[2, 5] = so3_z
+
+
+class Screws(NamedTuple):
+    """What `screws` returns."""
+
+    limb1: Array
+    limb2: Array
+    limb3: Array
+    limb4: Array
+    incidence: Array
+    scaled_legs: Array
+    radial: Array
+    central_length: Array
+    reach: Array
+
+
+def screws(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLike) -> Screws:
+    """The joint screws of the four limbs at pole C, a row a joint.
+
+    Equations Section IV of the paper; base frame.
+    228 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    heading : array (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+
+    Returns
+    -------
+    limb1 : array (..., 6, 6)
+        screws of limb 1 [1, m]
+    limb2 : array (..., 6, 6)
+        screws of limb 2 [1, m]
+    limb3 : array (..., 6, 6)
+        screws of limb 3 [1, m]
+    limb4 : array (..., 6, 6)
+        screws of limb 4 [1, m]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return Screws(
+        *apply(
+            _screws,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("heading", heading, (2,)),
+            ),
+            (
+                (6, 6),
+                (6, 6),
+                (6, 6),
+                (6, 6),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _screws(
+    out_limb1: Array,
+    out_limb2: Array,
+    out_limb3: Array,
+    out_limb4: Array,
+    out_incidence: Array,
+    out_scaled_legs: Array,
+    out_radial: Array,
+    out_central_length: Array,
+    out_reach: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+    heading: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    x6 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x6)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x6)
+    x7 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x7
+    lambda_y = c_y*x7
+    lambda_z = c_z*x7
+    x8 = -c_x
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a + x8
+    x9 = 1.0/n1_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1*x9
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    # length of the outer limb (10) [m]
+    q1 = l1/absolute(n1_x)
+    x10 = x9/q1
+    # unit vector along the outer limb Section IV [1]
+    w1_y = gt1*x10
+    w1_z = gz1*x10
+    x11 = -0.5*a
+    # position of A_2 Section II [m]
+    a2_x = x11
+    x12 = SQRT3_2*a
+    a2_y = x12
+    x13 = SQRT3_2*c_y
+    x14 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    x15 = 1.0/p2
+    # signed distance from C to B_i (4) [m]
+    e2 = h2*x15
+    x16 = 0.5*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # length of the outer limb (10) [m]
+    q2 = l2/absolute(p2)
+    x18 = x15/q2
+    x19 = gt2*x18
+    # unit vector along the outer limb Section IV [1]
+    w2_x = -SQRT3_2*x19
+    w2_y = -0.5*x19
+    w2_z = gz2*x18
+    # position of A_3 Section II [m]
+    a3_x = x11
+    a3_y = -x12
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    x20 = 1.0/p3
+    # signed distance from C to B_i (4) [m]
+    e3 = h3*x20
+    x21 = -x16
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(x17 + x21)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # length of the outer limb (10) [m]
+    q3 = l3/absolute(p3)
+    x22 = x20/q3
+    x23 = gt3*x22
+    # unit vector along the outer limb Section IV [1]
+    w3_x = SQRT3_2*x23
+    w3_y = -0.5*x23
+    w3_z = gz3*x22
+    x24 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x24
+    axis_y = -heading_1*x24
+    # lower revolute, actuated by q4 Section IV [1, m]
+    screw41_ox = -c_y
+    # second revolute, actuated by q5 Section IV [1, m]
+    screw42_ox = axis_y*c_z
+    screw42_oy = -axis_x*c_z
+    screw42_oz = axis_x*c_y - axis_y*c_x
+    # universal joint, second axis Section IV [1, m]
+    screw46_x = x1
+    screw46_y = x3
+    screw46_z = x5
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw1_x = n1_y*w1_z - n1_z*w1_y
+    nw1_y = -n1_x*w1_z
+    nw1_z = n1_x*w1_y
+    # base revolute Section IV [1, m]
+    screw11_oy = -c_z
+    # revolute along the leg Section IV [1, m]
+    screw13_ox = e1*nw1_x
+    screw13_oy = e1*nw1_y
+    screw13_oz = e1*nw1_z
+    # upper revolute Section IV [1, m]
+    screw14_ox = e1*(n1_y*nw1_z - n1_z*nw1_y)
+    screw14_oy = e1*(-n1_x*nw1_z + n1_z*nw1_x)
+    screw14_oz = e1*(n1_x*nw1_y - n1_y*nw1_x)
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw2_x = n2_y*w2_z - n2_z*w2_y
+    nw2_y = -n2_x*w2_z + n2_z*w2_x
+    nw2_z = n2_x*w2_y - n2_y*w2_x
+    x25 = SQRT3_2*c_z
+    # base revolute Section IV [1, m]
+    screw21_ox = x25
+    x26 = 0.5*c_z
+    screw21_oy = x26
+    screw21_oz = -SQRT3_2*(-a2_x - x8) + 0.5*a2_y - x16
+    # revolute along the leg Section IV [1, m]
+    screw23_ox = e2*nw2_x
+    screw23_oy = e2*nw2_y
+    screw23_oz = e2*nw2_z
+    # upper revolute Section IV [1, m]
+    screw24_ox = e2*(n2_y*nw2_z - n2_z*nw2_y)
+    screw24_oy = e2*(-n2_x*nw2_z + n2_z*nw2_x)
+    screw24_oz = e2*(n2_x*nw2_y - n2_y*nw2_x)
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw3_x = n3_y*w3_z - n3_z*w3_y
+    nw3_y = -n3_x*w3_z + n3_z*w3_x
+    nw3_z = n3_x*w3_y - n3_y*w3_x
+    # base revolute Section IV [1, m]
+    screw31_ox = -x25
+    screw31_oy = x26
+    screw31_oz = SQRT3_2*(-a3_x - x8) + 0.5*a3_y + x21
+    # revolute along the leg Section IV [1, m]
+    screw33_ox = e3*nw3_x
+    screw33_oy = e3*nw3_y
+    screw33_oz = e3*nw3_z
+    # upper revolute Section IV [1, m]
+    screw34_ox = e3*(n3_y*nw3_z - n3_z*nw3_y)
+    screw34_oy = e3*(-n3_x*nw3_z + n3_z*nw3_x)
+    screw34_oz = e3*(n3_x*nw3_y - n3_y*nw3_x)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    out_limb1[0, 0] = 1.0
+    out_limb1[0, 4] = screw11_oy
+    out_limb1[0, 5] = c_y
+    out_limb1[1, 4] = w1_y
+    out_limb1[1, 5] = w1_z
+    out_limb1[2, 1] = w1_y
+    out_limb1[2, 2] = w1_z
+    out_limb1[2, 3] = screw13_ox
+    out_limb1[2, 4] = screw13_oy
+    out_limb1[2, 5] = screw13_oz
+    out_limb1[3, 0] = nw1_x
+    out_limb1[3, 1] = nw1_y
+    out_limb1[3, 2] = nw1_z
+    out_limb1[3, 3] = screw14_ox
+    out_limb1[3, 4] = screw14_oy
+    out_limb1[3, 5] = screw14_oz
+    out_limb1[4, 0] = n1_x
+    out_limb1[4, 1] = n1_y
+    out_limb1[4, 2] = n1_z
+    out_limb1[5, 3] = n1_x
+    out_limb1[5, 4] = n1_y
+    out_limb1[5, 5] = n1_z
+    out_limb2[0, 0] = -0.5
+    out_limb2[0, 1] = SQRT3_2
+    out_limb2[0, 3] = screw21_ox
+    out_limb2[0, 4] = screw21_oy
+    out_limb2[0, 5] = screw21_oz
+    out_limb2[1, 3] = w2_x
+    out_limb2[1, 4] = w2_y
+    out_limb2[1, 5] = w2_z
+    out_limb2[2, 0] = w2_x
+    out_limb2[2, 1] = w2_y
+    out_limb2[2, 2] = w2_z
+    out_limb2[2, 3] = screw23_ox
+    out_limb2[2, 4] = screw23_oy
+    out_limb2[2, 5] = screw23_oz
+    out_limb2[3, 0] = nw2_x
+    out_limb2[3, 1] = nw2_y
+    out_limb2[3, 2] = nw2_z
+    out_limb2[3, 3] = screw24_ox
+    out_limb2[3, 4] = screw24_oy
+    out_limb2[3, 5] = screw24_oz
+    out_limb2[4, 0] = n2_x
+    out_limb2[4, 1] = n2_y
+    out_limb2[4, 2] = n2_z
+    out_limb2[5, 3] = n2_x
+    out_limb2[5, 4] = n2_y
+    out_limb2[5, 5] = n2_z
+    out_limb3[0, 0] = -0.5
+    out_limb3[0, 1] = -SQRT3_2
+    out_limb3[0, 3] = screw31_ox
+    out_limb3[0, 4] = screw31_oy
+    out_limb3[0, 5] = screw31_oz
+    out_limb3[1, 3] = w3_x
+    out_limb3[1, 4] = w3_y
+    out_limb3[1, 5] = w3_z
+    out_limb3[2, 0] = w3_x
+    out_limb3[2, 1] = w3_y
+    out_limb3[2, 2] = w3_z
+    out_limb3[2, 3] = screw33_ox
+    out_limb3[2, 4] = screw33_oy
+    out_limb3[2, 5] = screw33_oz
+    out_limb3[3, 0] = nw3_x
+    out_limb3[3, 1] = nw3_y
+    out_limb3[3, 2] = nw3_z
+    out_limb3[3, 3] = screw34_ox
+    out_limb3[3, 4] = screw34_oy
+    out_limb3[3, 5] = screw34_oz
+    out_limb3[4, 0] = n3_x
+    out_limb3[4, 1] = n3_y
+    out_limb3[4, 2] = n3_z
+    out_limb3[5, 3] = n3_x
+    out_limb3[5, 4] = n3_y
+    out_limb3[5, 5] = n3_z
+    out_limb4[0, 2] = 1.0
+    out_limb4[0, 3] = screw41_ox
+    out_limb4[0, 4] = c_x
+    out_limb4[1, 0] = axis_x
+    out_limb4[1, 1] = axis_y
+    out_limb4[1, 3] = screw42_ox
+    out_limb4[1, 4] = screw42_oy
+    out_limb4[1, 5] = screw42_oz
+    out_limb4[2, 3] = lambda_x
+    out_limb4[2, 4] = lambda_y
+    out_limb4[2, 5] = lambda_z
+    out_limb4[3, 0] = lambda_x
+    out_limb4[3, 1] = lambda_y
+    out_limb4[3, 2] = lambda_z
+    out_limb4[4, 0] = n1_x
+    out_limb4[4, 1] = n1_y
+    out_limb4[4, 2] = n1_z
+    out_limb4[5, 0] = screw46_x
+    out_limb4[5, 1] = screw46_y
+    out_limb4[5, 2] = screw46_z
+    out_incidence[0] = n1_x
+    out_incidence[1] = p2
+    out_incidence[2] = p3
+    out_scaled_legs[0] = l1
+    out_scaled_legs[1] = l2
+    out_scaled_legs[2] = l3
+    out_radial[...] = r
+    out_central_length[...] = q6
+    out_reach[...] = reach
+
+
+class Jacobians(NamedTuple):
+    """What `jacobians` returns."""
+
+    J_v: Array
+    J_q: Array
+    incidence: Array
+    scaled_legs: Array
+    radial: Array
+    central_length: Array
+    reach: Array
+
+
+def jacobians(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLike) -> Jacobians:
+    """Forward and inverse Jacobian, J_vᵀ Δ V = J_q q̇.
+
+    Equations (17)-(19), (22)-(24) of the paper; base frame.
+    283 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    heading : array (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+
+    Returns
+    -------
+    J_v : array (..., 6, 6)
+        forward Jacobian [1, m]
+    J_q : array (..., 6, 6)
+        inverse Jacobian [1, m]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return Jacobians(
+        *apply(
+            _jacobians,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("heading", heading, (2,)),
+            ),
+            (
+                (6, 6),
+                (6, 6),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _jacobians(
+    out_J_v: Array,
+    out_J_q: Array,
+    out_incidence: Array,
+    out_scaled_legs: Array,
+    out_radial: Array,
+    out_central_length: Array,
+    out_reach: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+    heading: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x16 = 0.5*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x18 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x18
+    axis_y = -heading_1*x18
+    # lower revolute, actuated by q4 Section IV [1, m]
+    screw41_ox = -c_y
+    # second revolute, actuated by q5 Section IV [1, m]
+    screw42_ox = axis_y*c_z
+    screw42_oy = -axis_x*c_z
+    screw42_oz = axis_x*c_y - axis_y*c_x
+    # universal joint, second axis Section IV [1, m]
+    screw46_x = x1
+    screw46_y = x3
+    screw46_z = x5
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x19 = 1.0/rho1
+    # unit vector from B_i to D_i (14) [1]
+    s1_x = x19*(m1_x*tau1 + nu_x*sigma1)
+    s1_y = x19*(m1_y*tau1 + nu_y*sigma1)
+    s1_z = x19*(m1_z*tau1 + nu_z*sigma1)
+    x20 = e1*x19
+    # moment of S_i about C (14) [m]
+    so1_x = x20*(-m1_x*sigma1 + nu_x*tau1)
+    so1_y = x20*(-m1_y*sigma1 + nu_y*tau1)
+    so1_z = x20*(-m1_z*sigma1 + nu_z*tau1)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -l1*x19*absolute(n1_x)
+    x21 = 0.5*nu_y
+    x22 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x21 - x22)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x23 = 1.0/rho2
+    # unit vector from B_i to D_i (14) [1]
+    s2_x = x23*(m2_x*tau2 + nu_x*sigma2)
+    s2_y = x23*(m2_y*tau2 + nu_y*sigma2)
+    s2_z = x23*(m2_z*tau2 + nu_z*sigma2)
+    x24 = e2*x23
+    # moment of S_i about C (14) [m]
+    so2_x = x24*(-m2_x*sigma2 + nu_x*tau2)
+    so2_y = x24*(-m2_y*sigma2 + nu_y*tau2)
+    so2_z = x24*(-m2_z*sigma2 + nu_z*tau2)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -l2*x23*absolute(p2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x21 + x22)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x25 = 1.0/rho3
+    # unit vector from B_i to D_i (14) [1]
+    s3_x = x25*(m3_x*tau3 + nu_x*sigma3)
+    s3_y = x25*(m3_y*tau3 + nu_y*sigma3)
+    s3_z = x25*(m3_z*tau3 + nu_z*sigma3)
+    x26 = e3*x25
+    # moment of S_i about C (14) [m]
+    so3_x = x26*(-m3_x*sigma3 + nu_x*tau3)
+    so3_y = x26*(-m3_y*sigma3 + nu_y*tau3)
+    so3_z = x26*(-m3_z*sigma3 + nu_z*tau3)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -l3*x25*absolute(p3)
+    # inverse Jacobian matrix (19), (22)-(24) [1, m]
+    J_q_54 = c_x*n1_y + n1_x*screw41_ox
+    J_q_55 = n1_x*screw42_ox + n1_y*screw42_oy + n1_z*screw42_oz
+    J_q_56 = lambda_x*n1_x + lambda_y*n1_y + lambda_z*n1_z
+    J_q_64 = c_x*screw46_y + screw41_ox*screw46_x
+    J_q_65 = screw42_ox*screw46_x + screw42_oy*screw46_y + screw42_oz*screw46_z
+    J_q_66 = lambda_x*screw46_x + lambda_y*screw46_y + lambda_z*screw46_z
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    out_J_v[0, 0] = s1_x
+    out_J_v[0, 1] = s2_x
+    out_J_v[0, 2] = s3_x
+    out_J_v[0, 3] = lambda_x
+    out_J_v[0, 4] = n1_x
+    out_J_v[0, 5] = screw46_x
+    out_J_v[1, 0] = s1_y
+    out_J_v[1, 1] = s2_y
+    out_J_v[1, 2] = s3_y
+    out_J_v[1, 3] = lambda_y
+    out_J_v[1, 4] = n1_y
+    out_J_v[1, 5] = screw46_y
+    out_J_v[2, 0] = s1_z
+    out_J_v[2, 1] = s2_z
+    out_J_v[2, 2] = s3_z
+    out_J_v[2, 3] = lambda_z
+    out_J_v[2, 4] = n1_z
+    out_J_v[2, 5] = screw46_z
+    out_J_v[3, 0] = so1_x
+    out_J_v[3, 1] = so2_x
+    out_J_v[3, 2] = so3_x
+    out_J_v[4, 0] = so1_y
+    out_J_v[4, 1] = so2_y
+    out_J_v[4, 2] = so3_y
+    out_J_v[5, 0] = so1_z
+    out_J_v[5, 1] = so2_z
+    out_J_v[5, 2] = so3_z
+    out_J_q[0, 0] = limb1
+    out_J_q[1, 1] = limb2
+    out_J_q[2, 2] = limb3
+    out_J_q[3, 5] = 1.0
+    out_J_q[4, 3] = J_q_54
+    out_J_q[4, 4] = J_q_55
+    out_J_q[4, 5] = J_q_56
+    out_J_q[5, 3] = J_q_64
+    out_J_q[5, 4] = J_q_65
+    out_J_q[5, 5] = J_q_66
+    out_incidence[0] = n1_x
+    out_incidence[1] = p2
+    out_incidence[2] = p3
+    out_scaled_legs[0] = l1
+    out_scaled_legs[1] = l2
+    out_scaled_legs[2] = l3
+    out_radial[...] = r
+    out_central_length[...] = q6
+    out_reach[...] = reach
+
+
+class InverseVelocity(NamedTuple):
+    """What `inverse_velocity` returns."""
+
+    rates: Array
+    incidence: Array
+    scaled_legs: Array
+    radial: Array
+    central_length: Array
+    reach: Array
+
+
+def inverse_velocity(a: ArrayLike, c: ArrayLike, R: ArrayLike, twist: ArrayLike) -> InverseVelocity:
+    """Joint rates from the twist.
+
+    Equations (15), (16) of the paper; base frame.
+    260 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    twist : array (..., 2, 3)
+        [omega, v_C] [rad/s, m/s]
+
+    Returns
+    -------
+    rates : array (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return InverseVelocity(
+        *apply(
+            _inverse_velocity,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("twist", twist, (2, 3)),
+            ),
+            (
+                (6,),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _inverse_velocity(
+    out_rates: Array,
+    out_incidence: Array,
+    out_scaled_legs: Array,
+    out_radial: Array,
+    out_central_length: Array,
+    out_reach: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+    twist: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    (omega_x, omega_y, omega_z), (v_x, v_y, v_z) = twist
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    x16 = 0.5*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    x18 = 0.5*nu_y
+    x19 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x18 - x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x18 + x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    # rate of the outer limb 1 (15) [m/s]
+    dq1 = (-h1*(omega_x*(-m1_x*sigma1 + nu_x*tau1) + omega_y*(-m1_y*sigma1 + nu_y*tau1) + omega_z*(-m1_z*sigma1 + nu_z*tau1)) - n1_x*(v_x*(m1_x*tau1 + nu_x*sigma1) + v_y*(m1_y*tau1 + nu_y*sigma1) + v_z*(m1_z*tau1 + nu_z*sigma1)))/(l1*n1_x*absolute(n1_x))
+    # rate of the outer limb 2 (15) [m/s]
+    dq2 = (-h2*(omega_x*(-m2_x*sigma2 + nu_x*tau2) + omega_y*(-m2_y*sigma2 + nu_y*tau2) + omega_z*(-m2_z*sigma2 + nu_z*tau2)) - p2*(v_x*(m2_x*tau2 + nu_x*sigma2) + v_y*(m2_y*tau2 + nu_y*sigma2) + v_z*(m2_z*tau2 + nu_z*sigma2)))/(l2*p2*absolute(p2))
+    # rate of the outer limb 3 (15) [m/s]
+    dq3 = (-h3*(omega_x*(-m3_x*sigma3 + nu_x*tau3) + omega_y*(-m3_y*sigma3 + nu_y*tau3) + omega_z*(-m3_z*sigma3 + nu_z*tau3)) - p3*(v_x*(m3_x*tau3 + nu_x*sigma3) + v_y*(m3_y*tau3 + nu_y*sigma3) + v_z*(m3_z*tau3 + nu_z*sigma3)))/(l3*p3*absolute(p3))
+    # rate of the azimuth (16) [rad/s]
+    dq4 = (c_x*v_y - c_y*v_x)/((r*r))
+    # rate of the elevation (16) [rad/s]
+    dq5 = (-c_z*(c_x*v_x + c_y*v_y)/r + r*v_z)/((q6*q6))
+    # rate of the central limb's length (16) [m/s]
+    dq6 = lambda_x*v_x + lambda_y*v_y + lambda_z*v_z
+    out_rates[0] = dq1
+    out_rates[1] = dq2
+    out_rates[2] = dq3
+    out_rates[3] = dq4
+    out_rates[4] = dq5
+    out_rates[5] = dq6
+    out_incidence[0] = n1_x
+    out_incidence[1] = p2
+    out_incidence[2] = p3
+    out_scaled_legs[0] = l1
+    out_scaled_legs[1] = l2
+    out_scaled_legs[2] = l3
+    out_radial[...] = r
+    out_central_length[...] = q6
+    out_reach[...] = reach
+
+
+class ForwardVelocity(NamedTuple):
+    """What `forward_velocity` returns."""
+
+    twist: Array
+    determinant: Array
+    extension: Array
+    extension_scale: Array
+    orientation: Array
+    orientation_scale: Array
+    incidence: Array
+    scaled_legs: Array
+    radial: Array
+    central_length: Array
+    reach: Array
+
+
+def forward_velocity(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLike, rates: ArrayLike) -> ForwardVelocity:
+    """Twist from the joint rates, and the determinant of its 3×3 with its factors.
+
+    Equations (12), (17) of the paper; base frame.
+    366 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    heading : array (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+    rates : array (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+
+    Returns
+    -------
+    twist : array (..., 6)
+        [omega, v_C] [rad/s, m/s]
+    determinant : array (...)
+        det of the moments of S_i [m³]
+    extension : array (..., 3)
+        signed distances e_i from C to B_i [m]
+    extension_scale : array (..., 3)
+        scales of the e_i [m]
+    orientation : array (...)
+        det[n_i × (d_i − c)] [m³]
+    orientation_scale : array (...)
+        scale of orientation [m³]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return ForwardVelocity(
+        *apply(
+            _forward_velocity,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("heading", heading, (2,)),
+                ("rates", rates, (6,)),
+            ),
+            (
+                (6,),
+                (),
+                (3,),
+                (3,),
+                (),
+                (),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _forward_velocity(
+    out_twist: Array,
+    out_determinant: Array,
+    out_extension: Array,
+    out_extension_scale: Array,
+    out_orientation: Array,
+    out_orientation_scale: Array,
+    out_incidence: Array,
+    out_scaled_legs: Array,
+    out_radial: Array,
+    out_central_length: Array,
+    out_reach: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+    heading: Array,
+    rates: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    dq1, dq2, dq3, dq4, dq5, dq6 = rates
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x16 = 0.5*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x18 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x18
+    axis_y = -heading_1*x18
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x19 = 0.5*nu_y
+    x20 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x19 - x20)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x19 + x20)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x21 = sigma2*tau3
+    x22 = sigma3*tau2
+    x23 = sigma3*tau1
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*x21 + sigma1*x22 + sigma2*x23
+    x24 = SQRT3_2*tilt
+    x25 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = x24*x25
+    # determinant of the moments of S_1, S_2, S_3 (27) [m³]
+    det_moments = e1*e2*e3*x24/(rho1*rho2*rho3)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x26 = a + q6
+    x27 = absolute(n1_x)
+    # scale of e1 [m]
+    e_scale1 = x26/x27
+    x28 = absolute(p2)
+    # scale of e2 [m]
+    e_scale2 = x26/x28
+    x29 = absolute(p3)
+    # scale of e3 [m]
+    e_scale3 = x26/x29
+    x30 = absolute(sigma1)
+    x31 = absolute(sigma2)
+    x32 = absolute(sigma3)
+    x33 = absolute(tau2)
+    x34 = absolute(tau3)
+    x35 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = SQRT3_2*reach*x25*(x30*x31 + x30*x32 + x30*x33 + x30*x34 + x31*x32 + x31*x34 + x31*x35 + x32*x33 + x32*x35)
+    x36 = c_z*dq5
+    # velocity of C (12), (16) [m/s]
+    v_x = axis_y*x36 - c_y*dq4 + dq6*lambda_x
+    v_y = -axis_x*x36 + c_x*dq4 + dq6*lambda_y
+    v_z = dq5*(axis_x*c_y - axis_y*c_x) + dq6*lambda_z
+    x37 = nu_y*sigma1
+    x38 = nu_z*sigma1
+    # what limb 1 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive1 = n1_x*(-dq1*l1*x27 - v_x*(m1_x*tau1 + nu_x*sigma1) - v_y*(m1_y*tau1 + x37) - v_z*(m1_z*tau1 + x38))/h1
+    x39 = nu_y*sigma2
+    x40 = nu_z*sigma2
+    # what limb 2 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive2 = p2*(-dq2*l2*x28 - v_x*(m2_x*tau2 + nu_x*sigma2) - v_y*(m2_y*tau2 + x39) - v_z*(m2_z*tau2 + x40))/h2
+    # what limb 3 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive3 = p3*(-dq3*l3*x29 - v_x*(m3_x*tau3 + nu_x*sigma3) - v_y*(m3_y*tau3 + nu_y*sigma3) - v_z*(m3_z*tau3 + nu_z*sigma3))/h3
+    x41 = sigma3*x20
+    x42 = n1_x*sigma1
+    x43 = sigma2*tau1
+    x44 = 1.3333333333333333*SQRT3_2/tilt
+    # angular velocity (17) [rad/s]
+    omega_x = x44*(drive1*(-n2_x*x21 + n3_x*x22 + sigma2*x41) + drive2*(-n3_x*x23 + sigma1*x41 + tau3*x42) + drive3*(n2_x*x43 + sigma1*sigma2*x20 - tau2*x42))
+    x45 = SQRT3_2*sigma3
+    x46 = n1_y*sigma1
+    x47 = SQRT3_2*sigma2
+    omega_y = x44*(drive1*(-n2_y*x21 + n3_y*x22 + x39*x45) + drive2*(-n3_y*x23 + tau3*x46 + x37*x45) + drive3*(n2_y*x43 - tau2*x46 + x37*x47))
+    x48 = n1_z*sigma1
+    omega_z = x44*(drive1*(-n2_z*x21 + n3_z*x22 + x40*x45) + drive2*(-n3_z*x23 + tau3*x48 + x38*x45) + drive3*(n2_z*x43 - tau2*x48 + x38*x47))
+    out_twist[0] = omega_x
+    out_twist[1] = omega_y
+    out_twist[2] = omega_z
+    out_twist[3] = v_x
+    out_twist[4] = v_y
+    out_twist[5] = v_z
+    out_determinant[...] = det_moments
+    out_extension[0] = e1
+    out_extension[1] = e2
+    out_extension[2] = e3
+    out_extension_scale[0] = e_scale1
+    out_extension_scale[1] = e_scale2
+    out_extension_scale[2] = e_scale3
+    out_orientation[...] = orientation
+    out_orientation_scale[...] = orientation_scale
+    out_incidence[0] = n1_x
+    out_incidence[1] = p2
+    out_incidence[2] = p3
+    out_scaled_legs[0] = l1
+    out_scaled_legs[1] = l2
+    out_scaled_legs[2] = l3
+    out_radial[...] = r
+    out_central_length[...] = q6
+    out_reach[...] = reach
+
+
+class InverseSingularity(NamedTuple):
+    """What `inverse_singularity` returns."""
+
+    determinant: Array
+    limb: Array
+    central: Array
+    wrist: Array
+    limb_scale: Array
+    central_scale: Array
+    wrist_scale: Array
+
+
+def inverse_singularity(a: ArrayLike, c: ArrayLike, R: ArrayLike) -> InverseSingularity:
+    """det J_q and its factors: the product of limb, central and wrist.
+
+    Equations (22)-(26) of the paper; base frame.
+    167 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    determinant : array (...)
+        det J_q [m²]
+    limb : array (..., 3)
+        Klein forms of S_i and the actuated screw [1]
+    central : array (...)
+        q6² cos q5 [m²]
+    wrist : array (...)
+        (n_1 × n_2)·lambda [1]
+    limb_scale : array (..., 3)
+        scales of limb [1]
+    central_scale : array (...)
+        scale of central [m²]
+    wrist_scale : array (...)
+        scale of wrist [1]
+    """
+    return InverseSingularity(
+        *apply(
+            _inverse_singularity,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+            ),
+            (
+                (),
+                (3,),
+                (),
+                (),
+                (3,),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _inverse_singularity(
+    out_determinant: Array,
+    out_limb: Array,
+    out_central: Array,
+    out_wrist: Array,
+    out_limb_scale: Array,
+    out_central_scale: Array,
+    out_wrist_scale: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x13 = SQRT3_2*c_y
+    x14 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    x15 = 0.5*c_y
+    x16 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x15 - x16)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x15 + x16)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x17 = l1/rho1
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -x17*absolute(n1_x)
+    x18 = 0.5*nu_y
+    x19 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x18 - x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x20 = l2/rho2
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -x20*absolute(p2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x18 + x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x21 = l3/rho3
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -x21*absolute(p3)
+    # central limb: q6² cos q5 (26) [m²]
+    central = q6*r
+    x22 = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = x22/q6
+    # determinant of the inverse Jacobian (22)-(26) [m²]
+    det_J_q = limb1*limb2*limb3*r*x22
+    # scale of limb 1's Klein form [1]
+    limb_scale1 = x17
+    # scale of limb 2's Klein form [1]
+    limb_scale2 = x20
+    # scale of limb 3's Klein form [1]
+    limb_scale3 = x21
+    # scale of the central factor [m²]
+    central_scale = (q6*q6)
+    out_determinant[...] = det_J_q
+    out_limb[0] = limb1
+    out_limb[1] = limb2
+    out_limb[2] = limb3
+    out_central[...] = central
+    out_wrist[...] = wrist
+    out_limb_scale[0] = limb_scale1
+    out_limb_scale[1] = limb_scale2
+    out_limb_scale[2] = limb_scale3
+    out_central_scale[...] = central_scale
+    out_wrist_scale[...] = SQRT3_2
+
+
+class DirectSingularity(NamedTuple):
+    """What `direct_singularity` returns."""
+
+    determinant: Array
+    extension: Array
+    orientation: Array
+    wrist: Array
+    extension_scale: Array
+    orientation_scale: Array
+    wrist_scale: Array
+
+
+def direct_singularity(a: ArrayLike, c: ArrayLike, R: ArrayLike) -> DirectSingularity:
+    """det J_v and its factors: −∏(e_i / |d_i − b_i|) · orientation · wrist.
+
+    Equations (27) of the paper; base frame.
+    194 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    determinant : array (...)
+        det J_v [m³]
+    extension : array (..., 3)
+        signed distances e_i from C to B_i [m]
+    orientation : array (...)
+        det[n_i × (d_i − c)] [m³]
+    wrist : array (...)
+        (n_1 × n_2)·lambda [1]
+    extension_scale : array (..., 3)
+        scales of the e_i [m]
+    orientation_scale : array (...)
+        scale of orientation [m³]
+    wrist_scale : array (...)
+        scale of wrist [1]
+    """
+    return DirectSingularity(
+        *apply(
+            _direct_singularity,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+            ),
+            (
+                (),
+                (3,),
+                (),
+                (),
+                (3,),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _direct_singularity(
+    out_determinant: Array,
+    out_extension: Array,
+    out_orientation: Array,
+    out_wrist: Array,
+    out_extension_scale: Array,
+    out_orientation_scale: Array,
+    out_wrist_scale: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_x*c_x) + (c_y*c_y) + (c_z*c_z))
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    x12 = SQRT3_2*c_y
+    x13 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x12 + x13
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x14 = 0.5*c_y
+    x15 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x14 - x15)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x12 + x13
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x14 + x15)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x16 = 0.5*nu_y
+    x17 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x16 - x17)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x16 + x17)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)/q6
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1
+    x18 = SQRT3_2*tilt
+    x19 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = x18*x19
+    # determinant of the moments of S_1, S_2, S_3 (27) [m³]
+    det_moments = e1*e2*e3*x18/(rho1*rho2*rho3)
+    # determinant of the forward Jacobian (27) [m³]
+    det_J_v = -det_moments*wrist
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x20 = a + q6
+    # scale of e1 [m]
+    e_scale1 = x20/absolute(n1_x)
+    # scale of e2 [m]
+    e_scale2 = x20/absolute(p2)
+    # scale of e3 [m]
+    e_scale3 = x20/absolute(p3)
+    x21 = absolute(sigma1)
+    x22 = absolute(sigma2)
+    x23 = absolute(sigma3)
+    x24 = absolute(tau2)
+    x25 = absolute(tau3)
+    x26 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = SQRT3_2*reach*x19*(x21*x22 + x21*x23 + x21*x24 + x21*x25 + x22*x23 + x22*x25 + x22*x26 + x23*x24 + x23*x26)
+    out_determinant[...] = det_J_v
+    out_extension[0] = e1
+    out_extension[1] = e2
+    out_extension[2] = e3
+    out_orientation[...] = orientation
+    out_wrist[...] = wrist
+    out_extension_scale[0] = e_scale1
+    out_extension_scale[1] = e_scale2
+    out_extension_scale[2] = e_scale3
+    out_orientation_scale[...] = orientation_scale
+    out_wrist_scale[...] = SQRT3_2
+
+
+class Survey(NamedTuple):
+    """What `survey` returns."""
+
+    joints: Array
+    extension: Array
+    inverse_determinant: Array
+    direct_determinant: Array
+    limb: Array
+    central: Array
+    wrist: Array
+    orientation: Array
+    limb_scale: Array
+    central_scale: Array
+    wrist_scale: Array
+    extension_scale: Array
+    orientation_scale: Array
+
+
+def survey(a: ArrayLike, c: ArrayLike, R: ArrayLike) -> Survey:
+    """Joint values, extensions, both determinants and their factors in one pass.
+
+    Equations (4), (10), (11), (22)-(27) of the paper; base frame.
+    237 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    joints : array (..., 6)
+        q1 ... q6 [m, rad]
+    extension : array (..., 3)
+        signed distances e_i from C to B_i [m]
+    inverse_determinant : array (...)
+        det J_q [m²]
+    direct_determinant : array (...)
+        det J_v [m³]
+    limb : array (..., 3)
+        Klein forms of S_i and the actuated screw [1]
+    central : array (...)
+        q6² cos q5 [m²]
+    wrist : array (...)
+        (n_1 × n_2)·lambda [1]
+    orientation : array (...)
+        det[n_i × (d_i − c)] [m³]
+    limb_scale : array (..., 3)
+        scales of limb [1]
+    central_scale : array (...)
+        scale of central [m²]
+    wrist_scale : array (...)
+        scale of wrist [1]
+    extension_scale : array (..., 3)
+        scales of the e_i [m]
+    orientation_scale : array (...)
+        scale of orientation [m³]
+    """
+    return Survey(
+        *apply(
+            _survey,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+            ),
+            (
+                (6,),
+                (3,),
+                (),
+                (),
+                (3,),
+                (),
+                (),
+                (),
+                (3,),
+                (),
+                (),
+                (3,),
+                (),
+            ),
+        )
+    )
+
+
+def _survey(
+    out_joints: Array,
+    out_extension: Array,
+    out_inverse_determinant: Array,
+    out_direct_determinant: Array,
+    out_limb: Array,
+    out_central: Array,
+    out_wrist: Array,
+    out_orientation: Array,
+    out_limb_scale: Array,
+    out_central_scale: Array,
+    out_wrist_scale: Array,
+    out_extension_scale: Array,
+    out_orientation_scale: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    # elevation of the central limb (11) [rad]
+    q5 = arctan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = arctan2(c_y, c_x)
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x13 = absolute(n1_x)
+    x14 = 1.0/x13
+    # length of the outer limb (10) [m]
+    q1 = l1*x14
+    x15 = SQRT3_2*c_y
+    x16 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x15 + x16
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x17 = 0.5*c_y
+    x18 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x17 - x18)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    x19 = absolute(p2)
+    x20 = 1.0/x19
+    # length of the outer limb (10) [m]
+    q2 = l2*x20
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x15 + x16
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x17 + x18)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x21 = absolute(p3)
+    x22 = 1.0/x21
+    # length of the outer limb (10) [m]
+    q3 = l3*x22
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x23 = 1.0/rho1
+    x24 = l1*x23
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -x13*x24
+    x25 = 0.5*nu_y
+    x26 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x25 - x26)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x27 = 1.0/rho2
+    x28 = l2*x27
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -x19*x28
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x25 + x26)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x29 = 1.0/rho3
+    x30 = l3*x29
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -x21*x30
+    # central limb: q6² cos q5 (26) [m²]
+    central = q6*r
+    x31 = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = x31/q6
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1
+    x32 = SQRT3_2*tilt
+    x33 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = x32*x33
+    # determinant of the inverse Jacobian (22)-(26) [m²]
+    det_J_q = limb1*limb2*limb3*r*x31
+    # determinant of the moments of S_1, S_2, S_3 (27) [m³]
+    det_moments = e1*e2*e3*x23*x27*x29*x32
+    # determinant of the forward Jacobian (27) [m³]
+    det_J_v = -det_moments*wrist
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    # scale of limb 1's Klein form [1]
+    limb_scale1 = x24
+    x34 = a + q6
+    # scale of e1 [m]
+    e_scale1 = x14*x34
+    # scale of limb 2's Klein form [1]
+    limb_scale2 = x28
+    # scale of e2 [m]
+    e_scale2 = x20*x34
+    # scale of limb 3's Klein form [1]
+    limb_scale3 = x30
+    # scale of e3 [m]
+    e_scale3 = x22*x34
+    # scale of the central factor [m²]
+    central_scale = (q6*q6)
+    x35 = absolute(sigma1)
+    x36 = absolute(sigma2)
+    x37 = absolute(sigma3)
+    x38 = absolute(tau2)
+    x39 = absolute(tau3)
+    x40 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = SQRT3_2*reach*x33*(x35*x36 + x35*x37 + x35*x38 + x35*x39 + x36*x37 + x36*x39 + x36*x40 + x37*x38 + x37*x40)
+    out_joints[0] = q1
+    out_joints[1] = q2
+    out_joints[2] = q3
+    out_joints[3] = q4
+    out_joints[4] = q5
+    out_joints[5] = q6
+    out_extension[0] = e1
+    out_extension[1] = e2
+    out_extension[2] = e3
+    out_inverse_determinant[...] = det_J_q
+    out_direct_determinant[...] = det_J_v
+    out_limb[0] = limb1
+    out_limb[1] = limb2
+    out_limb[2] = limb3
+    out_central[...] = central
+    out_wrist[...] = wrist
+    out_orientation[...] = orientation
+    out_limb_scale[0] = limb_scale1
+    out_limb_scale[1] = limb_scale2
+    out_limb_scale[2] = limb_scale3
+    out_central_scale[...] = central_scale
+    out_wrist_scale[...] = SQRT3_2
+    out_extension_scale[0] = e_scale1
+    out_extension_scale[1] = e_scale2
+    out_extension_scale[2] = e_scale3
+    out_orientation_scale[...] = orientation_scale

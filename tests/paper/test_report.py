@@ -1,0 +1,89 @@
+"""The paper's printed numbers: what is confirmed, what is not, and that a wrong one is seen."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from kleinform.paper import printed, report
+from kleinform.paper.audit import audit, equation_verdicts, proofs
+from kleinform.paper.examples import example_2, quintic_coefficients
+
+PAGE = Path(__file__).parents[2] / "docs" / "audit.md"
+
+
+@pytest.fixture(scope="module")
+def parts() -> dict[str, list[report.Row]]:
+    return report.report()
+
+
+def test_every_number_of_the_inverse_displacement_but_q4_is_confirmed(parts) -> None:
+    rows = parts["Inverse displacement and e_i (Section VI)"]
+    assert [row.item for row in rows if not row.confirmed] == ["q4 [deg]"]
+
+
+def test_all_four_rows_of_table_1_are_solutions_within_a_truncated_digit(parts) -> None:
+    rows = parts["Table 1, coordinates of B_i"]
+    assert len(rows) == 8
+    assert all(row.confirmed for row in rows)
+    assert all(row.difference < 1e-6 for row in rows if "nearest" in row.item)
+
+
+def test_the_four_rows_of_table_1_are_four_different_modes() -> None:
+    joints, position = report.start_joints(), np.array(printed.POSITION)
+    modes = [
+        report.nearest_mode(joints, position, np.array(row, dtype=float)) for row in printed.TABLE_1
+    ]
+    for first in range(4):
+        for second in range(first):
+            assert abs(modes[first] - modes[second]).max() > 0.1
+
+
+@pytest.mark.parametrize(("row", "point", "axis"), [(0, 1, 2), (1, 0, 1), (2, 2, 0), (3, 1, 1)])
+def test_a_wrong_digit_in_table_1_is_refuted(monkeypatch, row: int, point: int, axis: int) -> None:
+    table = [[list(numbers) for numbers in points] for points in printed.TABLE_1]
+    digits = table[row][point][axis]
+    table[row][point][axis] = re.sub(r"\.(\d\d)\d", r".\g<1>", digits) + "9"
+    monkeypatch.setattr(printed, "TABLE_1", table)
+    assert not all(line.confirmed for line in report.closure_rows())
+
+
+def test_rounded_truncated_and_wrong_numbers_are_told_apart() -> None:
+    assert report.compare("x", "1.313", 1.31349).verdict == "confirmed"
+    assert report.compare("x", "1.313", 1.31384).verdict == "confirmed (truncated)"
+    assert report.compare("x", "-1.313", -1.31384).verdict == "confirmed (truncated)"
+    assert report.compare("x", "1.313", 1.31184).verdict == "corrected: 1.312"
+
+
+def test_quintics_rest_at_both_ends() -> None:
+    start, end = np.array([0.3, -1.0]), np.array([1.1, 2.0])
+    coefficients = quintic_coefficients(start, end, 5.0)
+    step = 1e-3
+    time = np.array([0.0, step, 5.0 - step, 5.0])
+    motion = example_2(time, coefficients)
+    np.testing.assert_allclose(motion[[0, -1]], [start, end], rtol=0, atol=1e-14)
+    # Velocity and acceleration vanish, so a step away the motion differs by its cube.
+    limit = 10.0 * abs(end - start) * (step / 5.0) ** 3
+    assert (abs(motion[1] - start) < 1.01 * limit).all()
+    assert (abs(motion[2] - end) < 1.01 * limit).all()
+
+
+def test_both_motions_are_tracked_to_rounding(parts) -> None:
+    rows = [row for row in parts["Worked motions"] if "tracked" in row.item]
+    assert len(rows) == 2
+    assert all(row.confirmed and row.difference < 1e-13 for row in rows)
+
+
+def test_every_numbered_equation_has_a_verdict() -> None:
+    verdicts = equation_verdicts(proofs())
+    assert sorted(verdicts) == list(range(1, 28))
+    assert [number for number, verdict in verdicts.items() if verdict == "definition"] == [21]
+    assert verdicts[26] == "corrected"
+    assert verdicts[14] == "confirmed"
+
+
+def test_the_audit_in_docs_is_what_make_paper_writes(parts) -> None:
+    assert PAGE.read_text(encoding="utf-8") == audit(parts), "run make paper"

@@ -1,0 +1,125 @@
+"""The wheel itself, in an environment of its own, installed as a user would."""
+
+from __future__ import annotations
+
+import json
+import os
+import subprocess
+import sys
+import venv
+import zipfile
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+SCRIPT = """
+import json, sys
+from importlib import metadata
+from importlib.resources import files
+
+import numpy as np
+import kleinform
+from kleinform_kernels import uncoupled
+
+turn = kleinform.rotation_from_rpy(
+    roll=np.deg2rad(10.0), pitch=np.deg2rad(3.0), yaw=np.deg2rad(6.0)
+)
+robot = kleinform.UncoupledManipulator(1.0)
+joints = robot.inverse_displacement([0.25, 0.2, 1.0], turn)
+kernel = uncoupled.inverse_displacement(1.0, [0.25, 0.2, 1.0], turn)
+positions, _ = robot.track(joints[np.newaxis], turn)
+latex = files("kleinform_kernels") / "uncoupled" / "latex"
+print(json.dumps({
+    "version": [kleinform.__version__, metadata.version("kleinform")],
+    "joints": joints.tolist(),
+    "kernel": kernel.joints.tolist(),
+    "position": positions[0].tolist(),
+    "from": [kleinform.__file__, uncoupled.__file__],
+    "installed": sorted(d.metadata["Name"].lower() for d in metadata.distributions()),
+    "sympy": "sympy" in sys.modules,
+    "latex": len([entry for entry in latex.iterdir() if entry.name.endswith(".tex")]),
+}))
+"""
+
+
+def clean_environment() -> dict[str, str]:
+    """Without what makes the source tree importable."""
+    return {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
+
+
+def run(*command: object, cwd: Path) -> str:
+    result = subprocess.run(
+        list(map(str, command)),
+        cwd=cwd,
+        env=clean_environment(),
+        text=True,
+        capture_output=True,
+        check=False,
+    )
+    assert result.returncode == 0, result.stdout + result.stderr
+    return result.stdout
+
+
+@pytest.fixture(scope="module")
+def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    place = tmp_path_factory.mktemp("dist")
+    run(sys.executable, "-m", "pip", "wheel", ROOT, "--no-deps", "--quiet", "-w", place, cwd=place)
+    (built,) = place.glob("kleinform-*.whl")
+    return built
+
+
+@pytest.fixture(scope="module")
+def names(wheel: Path) -> set[str]:
+    with zipfile.ZipFile(wheel) as archive:
+        return set(archive.namelist())
+
+
+def test_everything_is_in_the_wheel(names: set[str]) -> None:
+    """All of both packages, and nothing else."""
+    expected = set()
+    for source in (ROOT / "src", ROOT / "generated"):
+        files = [path for path in source.rglob("*") if path.is_file()]
+        expected |= {path.relative_to(source).as_posix() for path in files}
+    expected = {name for name in expected if "__pycache__" not in name}
+    packaged = {name for name in names if ".dist-info/" not in name}
+    assert packaged == expected
+    assert {"kleinform/py.typed", "kleinform_kernels/py.typed"} <= packaged
+    assert "kleinform_kernels/manifest.json" in packaged
+    assert any(name.startswith("kleinform_kernels/uncoupled/latex/") for name in packaged)
+
+
+def test_the_manifest_lists_the_wheels_kernels(wheel: Path, names: set[str]) -> None:
+    prefix = "kleinform_kernels/"
+    with zipfile.ZipFile(wheel) as archive:
+        manifest = json.loads(archive.read(prefix + "manifest.json"))
+    packaged = {name.removeprefix(prefix) for name in names if name.startswith(prefix)}
+    assert set(manifest["files"]) == packaged - {"manifest.json"}
+
+
+def test_metadata(wheel: Path) -> None:
+    with zipfile.ZipFile(wheel) as archive:
+        (entry,) = [name for name in archive.namelist() if name.endswith("dist-info/METADATA")]
+        lines = archive.read(entry).decode().splitlines()
+    needed = [line for line in lines if line.startswith("Requires-Dist") and "extra" not in line]
+    assert needed == ["Requires-Dist: numpy>=1.26"]
+    assert "License-Expression: BSD-3-Clause" in lines
+    assert wheel.name.endswith("-py3-none-any.whl")
+
+
+def test_in_a_clean_environment(wheel: Path, tmp_path: Path) -> None:
+    place = tmp_path / "environment"
+    venv.create(place, with_pip=True)
+    python = place / ("Scripts" if os.name == "nt" else "bin") / "python"
+    run(python, "-m", "pip", "install", "--quiet", wheel, cwd=tmp_path)
+    found = json.loads(run(python, "-c", SCRIPT, cwd=tmp_path))
+    assert set(found["installed"]) <= {"kleinform", "numpy", "pip", "setuptools"}
+    assert not found["sympy"]
+    assert len(set(found["version"])) == 1
+    assert all(str(place) in origin for origin in found["from"])
+    assert found["latex"] > 10
+    # The paper's Section VI: joint values of its reference pose.
+    paper = [1.000131, 1.191422, 0.869715, 0.674741, 1.260952, 1.05]
+    assert found["joints"] == pytest.approx(paper, abs=1e-6)
+    assert found["kernel"] == found["joints"]
+    assert found["position"] == pytest.approx([0.25, 0.2, 1.0], abs=1e-15)
