@@ -6,6 +6,7 @@ import json
 from collections.abc import Iterable
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 from zlib import crc32
 
 import sympy
@@ -14,6 +15,7 @@ from derivations.codegen.lower import Program, lower, prove_lowering
 from derivations.codegen.printers import mpmath, numpy
 from derivations.codegen.printers.python import class_name
 from derivations.codegen.tree import SCHEMA, manifest
+from derivations.sources import equation_sources, source_of
 from derivations.uncoupled.counterexamples import counterexamples
 from derivations.uncoupled.identities import identities
 from derivations.uncoupled.kernels import kernels
@@ -71,7 +73,7 @@ def generate() -> Generated:
     )
 
 
-def _prove() -> tuple[dict[str, list[dict[str, object]]], int]:
+def _prove() -> tuple[dict[str, Any], int]:
     """Prove every identity, check every counter-example, and record both."""
     proven = [(identity, identity.prove()) for identity in identities()]
     claims = [
@@ -79,6 +81,7 @@ def _prove() -> tuple[dict[str, list[dict[str, object]]], int]:
             "name": identity.name,
             "number": identity.number,
             "claim": identity.claim,
+            "file": source_of(identity.difference),
             "expressions": count,
         }
         for identity, count in proven
@@ -88,11 +91,15 @@ def _prove() -> tuple[dict[str, list[dict[str, object]]], int]:
             "name": example.name,
             "number": example.number,
             "claim": example.claim,
+            "correction": example.correction,
+            "file": source_of(example.check),
             "facts": {name: str(value) for name, value in example.check().items()},
         }
         for example in counterexamples()
     ]
-    return {"identities": claims, "counterexamples": refuted}, sum(count for _, count in proven)
+    sources = {str(number): places for number, places in equation_sources().items()}
+    record = {"identities": claims, "counterexamples": refuted, "sources": sources}
+    return record, sum(count for _, count in proven)
 
 
 def _package(programs: tuple[Program, ...]) -> dict[str, str]:

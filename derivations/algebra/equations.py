@@ -11,7 +11,7 @@ from dataclasses import dataclass, field
 
 from sympy import Basic, Expr, ImmutableDenseMatrix, MatrixSymbol, Symbol
 
-from derivations.algebra.vectors import component_symbols, components
+from derivations.algebra.vectors import component_symbols
 
 __all__ = ["DerivationError", "Equation", "Graph", "free_names"]
 
@@ -107,16 +107,6 @@ class Graph:
                 used for used in free_names(self.equations[name].evaluated) if used not in stop
             ]
         return [equation for equation in self if equation.name in reached]
-
-    def expand(self, expression: Basic, keep: Iterable[str] = ()) -> Basic:
-        """Components in terms of the leaves and of the names to ``keep``, nothing else."""
-        stop = {leaf.name for leaf in self.leaves} | set(keep)
-        steps = self.needed(free_names(expression), stop)
-        values: dict[Symbol, Expr] = {}
-        for equation in steps:
-            value = substitute(components(equation.expression), values)
-            values.update(bindings(equation.symbol, value))
-        return substitute(components(expression), values)
 
 
 def bindings(symbol: Symbol | MatrixSymbol, value: Basic) -> dict[Symbol, Expr]:

@@ -75,14 +75,16 @@ class Identity:
 
 @dataclass(frozen=True)
 class Counterexample:
-    """A printed claim and a pose in exact numbers at which it fails.
+    """A printed claim, a pose in exact numbers at which it fails, and what is true instead.
 
-    ``check`` computes the pose and returns the exact facts that contradict the claim; it
-    raises `IdentityError` if they do not.
+    ``number`` is "(8)" where the numbered equation itself is wrong, and names the place where
+    it is the text. ``check`` computes the pose and returns the exact facts that contradict
+    the claim; it raises `IdentityError` if they do not.
     """
 
     name: str
     claim: str
+    correction: str
     check: Callable[[], dict[str, Expr]]
     number: str = ""
 

@@ -50,10 +50,16 @@ def compare(root: Path, files: Tree) -> dict[str, str]:
 def difference(root: Path, files: Tree, name: str) -> str:
     """A unified diff of one file, from what is there to what should be."""
     path = root / name
-    before = path.read_text(encoding="utf-8").splitlines() if path.exists() else []
-    after = files[name].splitlines() if name in files else []
+    before = _lines(path.read_bytes()) if path.exists() else []
+    after = _lines(files[name].encode()) if name in files else []
     lines = difflib.unified_diff(before, after, f"generated/{name}", "regenerated", lineterm="")
     return "\n".join(lines)
+
+
+def _lines(content: bytes) -> list[str]:
+    """Lines to show, with what is not plain text spelled out: ``\\r``, ``\\xff``."""
+    text = content.decode("utf-8", errors="backslashreplace").replace("\r", "\\r")
+    return text.split("\n")[:-1] if text.endswith("\n") else text.split("\n")
 
 
 def replace(root: Path, files: Tree) -> dict[str, str]:

@@ -134,6 +134,17 @@ def lines_through_origin() -> Facts:
     )
 
 
+def printed_diagonal() -> Facts:
+    """(23): off the plane of symmetry of a pitched platform limbs 2 and 3 differ."""
+    value = at_pose(PITCHED, (Rational(1, 4), Rational(1, 5), 1))
+    second, third = (value(scalar(f"limb{i}")) for i in (2, 3))
+    entry = value(graph()["J_q"].expression)[1, 1]
+    facts = {"{S_2; ¹$_2²}²": exact(second**2), "{S_3; ¹$_3²}²": exact(third**2)}
+    facts["square of the second entry of J_q"] = exact(entry**2)
+    other, printed, true = facts.values()
+    return ensure(facts, index=entry == second and other == true != printed)
+
+
 def vanishing_diagonal() -> Facts:
     """n_1·u_1 = 0 = a − c·u_1: e_1 is free, D_1 is at infinity and S_1 parallel to u_1."""
     value = at_pose(UPRIGHT, (1, Rational(1, 2), 2))
@@ -224,46 +235,70 @@ def tilted_and_singular() -> Facts:
 REFUTED = (
     Counterexample(
         "(4) as printed",
-        "b_i = (a − c·u_i)/(n_i·u_i): the quotient is the distance e_i from C to B_i",
+        "b_i = (a − c·u_i)/(n_i·u_i)",
+        "e_i = (a − c·u_i)/(n_i·u_i), the signed distance from C to B_i; b_i = c + e_i n_i (3)",
         printed_extension,
         "(4)",
     ),
     Counterexample(
         "(8) as printed",
-        "R = [n_1, (n_1×n_2)×n_1, n_1×n_2] is a rotation",
+        "R = [n_1, (n_1×n_2)×n_1, n_1×n_2]",
+        "the second and the third column have norm √3/2 and must be divided by it",
         printed_rotation,
         "(8)",
     ),
     Counterexample(
-        "diagonal of (23)",
-        "no element of the diagonal of J̃_q can vanish",
-        vanishing_diagonal,
+        "(23) as printed",
+        "J̃_q = diag[{S_1; ¹$_1²}, {S_3; ¹$_3²}, {S_3; ¹$_3²}]",
+        "the second entry is {S_2; ¹$_2²}, as (15) and (22) have it",
+        printed_diagonal,
         "(23)",
     ),
     Counterexample(
+        "diagonal of (23)",
+        "no element of the diagonal of J̃_q can vanish",
+        "element i is −|n_i·u_i| / √((n_i·u_i)² + (n_i·w_i)²); it vanishes at finite joint values "
+        "where n_i·u_i = 0 = a − c·u_i",
+        vanishing_diagonal,
+        "Section V, on (23)",
+    ),
+    Counterexample(
         "vertical limb only",
-        "(25) is explained by a vertical central limb",
+        "det J̄_q vanishes, for example, when the central limb is vertical",
+        "that is one case of three: (25) is q6² cos q5 (n_1×n_2)·λ = 0",
         tilted_and_singular,
-        "(25)",
+        "Section V, on (25)",
     ),
     Counterexample(
         "(26) as a condition",
-        "(26) as printed vanishes only where J_q is singular",
+        "the axis of the second revolute is λ_X i + λ_Y j, and (26) the condition of inverse "
+        "singularity",
+        "the axis is sin q4 i − cos q4 j, as in Section IV; with the printed one (26) vanishes at "
+        "every pose",
         printed_condition,
         "(26)",
     ),
-    Counterexample("wrist Gram determinant", "det(J̄_vᵀ J̄_v) = 1 always", wrist_gram, "(27)"),
+    Counterexample(
+        "wrist Gram determinant",
+        "det(J̄_vᵀ J̄_v) = 1: the central limb causes no direct singularity",
+        "it is ((n_1×n_2)·λ)² with the paper's own screws; the factor also divides det J_q and "
+        "cancels in the velocity map",
+        wrist_gram,
+        "Section V, on (27)",
+    ),
     Counterexample(
         "coplanar lines S",
         "the manipulator is at a direct singularity if the lines S_i are coplanar",
+        "only if C lies in their plane, as it does when every e_i > 0",
         coplanar_lines,
-        "(27)",
+        "Section V, on (27)",
     ),
     Counterexample(
         "lines S through O",
         "the lines S_i cannot all meet at O",
+        "they can, with e_i of both signs and Σ e_i = 0; never when every e_i > 0",
         lines_through_origin,
-        "(27)",
+        "Section V, on (27)",
     ),
 )
 

@@ -153,9 +153,9 @@ def orientation_kernels() -> list[Kernel]:
             to_angles_graph(),
             (matrix_in,),
             (
-                Output("roll", roll, "rad", "in (−π, π]"),
+                Output("roll", roll, "rad", "in [−π, π]"),
                 Output("pitch", pitch, "rad", "in [−π/2, π/2]"),
-                Output("yaw", yaw, "rad", "in (−π, π]"),
+                Output("yaw", yaw, "rad", "in [−π, π]"),
             ),
         ),
         Kernel(

@@ -67,19 +67,30 @@ def central_screws() -> list[Equation]:
 
 def outer_screws(i: int | str) -> list[Equation]:
     """The six screws of an outer limb, pole C; b_i − c = e_i n_i."""
-    n, u, w = vector(f"n{i}"), vector(f"u{i}"), vector(f"w{i}")
+    n, u, t, w = (vector(f"{name}{i}") for name in "nutw")
+    q, gt, gz = (scalar(f"{name}{i}") for name in ("q", "gt", "gz"))
     a_i, b, e, hinge = vector(f"a{i}"), vector(f"b{i}"), scalar(f"e{i}"), vector(f"nw{i}")
     rotation, translation = cylindrical(n, ZERO)
     screws = [
         (revolute(u, c - a_i), None, "base revolute"),
         (prismatic(w), None, f"prismatic joint, actuated by q{i}"),
-        (revolute(w, c - b), Screw(w, e * hinge), "revolute along the leg"),
+        (revolute(w, c - b), Screw(w, Cross(w, c - a_i)), "revolute along the leg"),
         (revolute(hinge, c - b), Screw(hinge, e * Cross(n, hinge)), "upper revolute"),
         (rotation, Screw(n, ZERO), "cylindrical joint, rotation"),
         (translation, None, "cylindrical joint, translation"),
     ]
     return [
-        Equation(hinge, Cross(n, w), "axis of the upper revolute, not a unit vector", "Section IV")
+        Equation(
+            hinge,
+            Cross(n, w),
+            "axis of the upper revolute, not a unit vector",
+            "Section IV",
+            # Along u_i the vector product cancels where the leg is parallel to n_i.
+            computed_as=(
+                (Dot(n, t) * Dot(c, base_k) - Dot(n, base_k) * Dot(c, t)) * u + gt * base_k - gz * t
+            )
+            / q,
+        )
     ] + [
         Equation(screw(i, joint), paper, words, "Section IV", "1, m", computed_as=computed)
         for joint, (paper, computed, words) in enumerate(screws, start=1)

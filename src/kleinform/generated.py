@@ -15,7 +15,7 @@ MEND = 'run "make derive", or reinstall kleinform'
 try:
     import kleinform_kernels
     from kleinform_kernels import uncoupled as kernels
-except ImportError as error:
+except (ImportError, SyntaxError) as error:
     raise GeneratedCodeError(f"the generated kernels do not import ({error}): {MEND}") from error
 
 
@@ -27,13 +27,16 @@ def verify() -> None:
     GeneratedCodeError
         The message names the command that mends it.
     """
-    if kleinform_kernels.SCHEMA != SCHEMA:
+    schema = getattr(kleinform_kernels, "SCHEMA", None)
+    if schema != SCHEMA:
         raise GeneratedCodeError(
-            f"the generated kernels have schema {kleinform_kernels.SCHEMA}, "
-            f"{SCHEMA} is needed: {MEND}"
+            f"the generated kernels have schema {schema}, {SCHEMA} is needed: {MEND}"
         )
+    checksums = getattr(kleinform_kernels, "CHECKSUMS", {})
+    if not checksums:
+        raise GeneratedCodeError(f"the generated kernels have no checksums: {MEND}")
     root = os.path.dirname(kleinform_kernels.__file__)
-    for name, checksum in kleinform_kernels.CHECKSUMS.items():
+    for name, checksum in checksums.items():
         with open(os.path.join(root, *name.split("/")), "rb") as file:
             if crc32(file.read()) != checksum:
                 raise GeneratedCodeError(f"kleinform_kernels/{name} is not as generated: {MEND}")

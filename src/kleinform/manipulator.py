@@ -8,11 +8,18 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kleinform.errors import InputError, NotFiniteError
+from kleinform.errors import InputError
 from kleinform.generated import kernels
 from kleinform.pose import Pose, check_pose
 from kleinform.results import Jacobians, Screws, Singularity, Survey
-from kleinform.screening import Errors, RotationLike, real_array
+from kleinform.screening import (
+    SMALLEST,
+    Errors,
+    RotationLike,
+    Screen,
+    real_array,
+    reject_bad_numbers,
+)
 from kleinform.tracking import refuse_crossings, track
 
 __all__ = ["UncoupledManipulator"]
@@ -47,13 +54,15 @@ class UncoupledManipulator:
 
     def __init__(self, radius: ArrayLike = 1.0, *, rounding: float = 16.0) -> None:
         self.radius = real_array("radius", radius, ())
-        if not np.isfinite(self.radius).all():
-            raise NotFiniteError("radius: NaN or inf")
-        if not (self.radius > 0.0).all():
-            raise InputError(f"radius: positive is needed, {self.radius.min()} arrived")
-        if not (np.isfinite(rounding) and rounding >= 0.0):
-            raise InputError(f"rounding: at least zero is needed, {rounding} arrived")
-        self.rounding = float(rounding)
+        reject_bad_numbers(Screen(self.radius.shape, "raise"), "radius", self.radius, 0)
+        if not (self.radius >= SMALLEST).all():
+            raise InputError(
+                f"radius: positive, at least {SMALLEST:g} m, is needed, {self.radius.min()} arrived"
+            )
+        factor = real_array("rounding", rounding, ())
+        if factor.ndim or not (np.isfinite(factor) and factor >= 0.0):
+            raise InputError(f"rounding: one number >= 0 is needed, {rounding!r} arrived")
+        self.rounding = float(factor)
 
     def __repr__(self) -> str:
         return f"UncoupledManipulator(radius={self.radius[()]!r}, rounding={self.rounding!r})"
@@ -83,7 +92,7 @@ class UncoupledManipulator:
         Returns
         -------
         array (..., 6)
-            q1, q2, q3 [m], q4 in (−π, π], q5 in [−π/2, π/2] [rad], q6 [m].
+            q1, q2, q3 [m], q4 in [−π, π], q5 in [−π/2, π/2] [rad], q6 [m].
 
         Raises
         ------

@@ -8,9 +8,10 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kleinform.errors import SingularPoseError
+from kleinform.errors import InputError, SingularPoseError
 from kleinform.results import is_zero
 from kleinform.screening import (
+    SMALLEST,
     Errors,
     RotationLike,
     Screen,
@@ -89,8 +90,23 @@ class Pose:
             return planar
         radial = np.hypot(planar[..., 0], planar[..., 1])
         length = np.hypot(radial, self.position[..., 2])
-        given = np.stack([np.cos(self.azimuth), np.sin(self.azimuth)], axis=-1)
+        with np.errstate(invalid="ignore"):  # an infinite azimuth is refused already
+            given = np.stack([np.cos(self.azimuth), np.sin(self.azimuth)], axis=-1)
         return np.where(self.on_axis(radial, length)[..., np.newaxis], given, planar)
+
+
+def reject_underflow(screen: Screen, position: Array) -> None:
+    """Refuse positions so close to O, and not at O, that their squares underflow."""
+    size = abs(position)
+    if size.min(initial=1.0) >= SMALLEST:
+        return
+    largest = size.max(axis=-1)
+    screen.reject(
+        (largest > 0.0) & (largest < SMALLEST),
+        InputError,
+        f"position: nearer to O than {SMALLEST:g} m and not O",
+        largest,
+    )
 
 
 def check_pose(
@@ -114,7 +130,12 @@ def check_pose(
         **{name: array.shape[:-1] for name, array in others.items()},
     }
     screen = Screen(lead_of(**shapes), errors)
+    if angle is not None:
+        # Only the position depends on the azimuth: it carries the azimuth's axes from here on.
+        lead = np.broadcast_shapes(place.shape[:-1], angle.shape)
+        place = np.broadcast_to(place, (*lead, 3))
     reject_bad_numbers(screen, "position", place, 1)
+    reject_underflow(screen, place)
     reject_bad_rotations(screen, turn, tolerance)
     if angle is not None:
         reject_bad_numbers(screen, "azimuth", angle, 0)

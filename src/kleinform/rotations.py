@@ -83,7 +83,7 @@ def rpy_from_rotation(rotation: RotationLike, *, errors: Errors = "raise") -> Ro
     Returns
     -------
     RollPitchYaw
-        In radians; roll and yaw in (−π, π], pitch in [−π/2, π/2].
+        In radians; roll and yaw in [−π, π], pitch in [−π/2, π/2].
 
     Raises
     ------

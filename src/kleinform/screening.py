@@ -25,6 +25,10 @@ Errors = Literal["raise", "nan"]
 #: float32 matrices are judged by what float32 can hold.
 ROTATION_TOLERANCE = 1e-9
 ROTATION_TOLERANCE_FLOAT32 = 2e-6
+#: Larger numbers are refused: products of three of them overflow. So are positions that are
+#: smaller and not zero: their products underflow.
+LARGEST = 1e100
+SMALLEST = 1e-100
 
 
 @runtime_checkable
@@ -129,17 +133,21 @@ def rotation_array(value: RotationLike) -> tuple[Array, float]:
     """The rotation as float64 ``(..., 3, 3)`` and the defect that its precision allows."""
     given = value.as_matrix() if isinstance(value, HasMatrix) else value
     array = real_array("rotation", given, (3, 3))
-    single = getattr(given, "dtype", None) in (np.dtype("float32"), np.dtype("float16"))
+    single = getattr(given, "dtype", None) == np.dtype("float32")
     return array, ROTATION_TOLERANCE_FLOAT32 if single else ROTATION_TOLERANCE
 
 
 def reject_bad_numbers(screen: Screen, name: str, array: Array, core: int) -> None:
-    """Refuse rows with NaN or inf; ``core`` is the number of trailing axes."""
-    finite = np.isfinite(array)
-    if finite.all():
+    """Refuse rows with NaN, inf or numbers whose squares and cubes overflow.
+
+    ``core`` is the number of trailing axes.
+    """
+    size = abs(array)
+    if (size <= LARGEST).all():
         return
-    bad = ~finite.all(axis=tuple(range(finite.ndim - core, finite.ndim)))
-    screen.reject(bad, NotFiniteError, f"{name}: NaN or inf")
+    trailing = tuple(range(size.ndim - core, size.ndim))
+    screen.reject(~np.isfinite(size).all(trailing), NotFiniteError, f"{name}: NaN or inf")
+    screen.reject(~(size <= LARGEST).all(trailing), InputError, f"{name}: above {LARGEST:g}")
 
 
 def reject_bad_rotations(screen: Screen, rotation: Array, tolerance: float) -> None:

@@ -202,16 +202,6 @@ def test_a_kernel_refuses_a_symbol_of_other_assumptions() -> None:
         lower(kernel_of(graph, (Input("x", x, "1", "x"),), y))
 
 
-def test_expanding_leaves_only_leaves(program: Program) -> None:
-    """`Graph.expand` gives the paper's forms in terms of the leaves, nothing else."""
-    kernel = program.kernel
-    leaves = [component_symbols(leaf) for leaf in kernel.graph.leaves]
-    allowed = {symbol for leaf in leaves for symbol in flat(leaf)}
-    for output in kernel.outputs:
-        left = kernel.graph.expand(output.symbol).free_symbols - allowed
-        assert not left, (output.name, sorted(map(str, left)))
-
-
 def test_shapes_of_symbols() -> None:
     for symbol, shape in ((x, ()), (vector("v"), (3,)), (matrix("M", 2, 3), (2, 3))):
         assert Input("name", symbol, "1", "").shape == shape

@@ -163,5 +163,6 @@ def test_messages_count_and_name_the_first() -> None:
 
 
 def test_q4_is_in_its_documented_range() -> None:
-    """(−π, π], also for a position with a negative zero."""
-    assert DISPLACEMENT([-0.5, -0.0, 1.0], TURN)[3] == np.pi
+    """[−π, π]: atan2 tells the zeros of c_y apart."""
+    assert DISPLACEMENT([-0.5, 0.0, 1.0], TURN)[3] == np.pi
+    assert DISPLACEMENT([-0.5, -0.0, 1.0], TURN)[3] == -np.pi

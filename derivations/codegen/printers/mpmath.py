@@ -34,9 +34,11 @@ Nested = Any
 
 def _exact(value: Nested) -> Nested:
     """Turn every entry of a nested sequence into an mpf, without loss."""
-    if hasattr(value, "__len__"):
-        return [_exact(entry) for entry in value]
-    return mpf(value)
+    try:
+        entries = iter(value)
+    except TypeError:
+        return mpf(value)
+    return [_exact(entry) for entry in entries]
 '''
 
 

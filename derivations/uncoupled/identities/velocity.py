@@ -59,9 +59,18 @@ def central_screws() -> list[Identity]:
 
 
 def outer_screws(i: int) -> list[Identity]:
-    """Screws of limb i whose arm c − b_i is −e_i n_i."""
-    unfold = Unfolding(pose(), {}, (*named("n w e", i), "c"))
-    return [computed_form(unfold, f"screw{i}{joint}") for joint in (3, 4, 5)]
+    """The screws of limb i; the arm c − b_i is −e_i n_i, and b_i − a_i is along w_i."""
+    n, w = vectors("n w", i)
+    along_leg = {symbol: pose()[symbol.name].computed_as for symbol in (w, *scalars("gt gz", i))}
+    short = Unfolding(pose(), leg(i) | {w: along_leg[w]}, (*named("gt gz p q", i), "c"))
+    hinge = Unfolding(pose(), along_leg, (*named("n q", i), "c"))
+    unfold = Unfolding(pose(), {Cross(n, w): vectors("nw", i)[0]}, (*named("n w e nw", i), "c"))
+    return [
+        computed_form(hinge, f"nw{i}"),
+        computed_form(short, f"screw{i}3"),
+        computed_form(unfold, f"screw{i}4"),
+        computed_form(unfold, f"screw{i}5"),
+    ]
 
 
 def line_direction(i: int) -> list[Identity]:

@@ -18,9 +18,11 @@ Nested = Any
 
 def _exact(value: Nested) -> Nested:
     """Turn every entry of a nested sequence into an mpf, without loss."""
-    if hasattr(value, "__len__"):
-        return [_exact(entry) for entry in value]
-    return mpf(value)
+    try:
+        entries = iter(value)
+    except TypeError:
+        return mpf(value)
+    return [_exact(entry) for entry in entries]
 
 
 class InverseDisplacement(NamedTuple):
@@ -456,11 +458,11 @@ def rpy_from_rotation(R: Nested) -> RpyFromRotation:
     Returns
     -------
     roll : nested list (...)
-        in (−π, π] [rad]
+        in [−π, π] [rad]
     pitch : nested list (...)
         in [−π/2, π/2] [rad]
     yaw : nested list (...)
-        in (−π, π] [rad]
+        in [−π, π] [rad]
     """
     SQRT3_2 = sqrt(mpf(3)) / 2
     R = _exact(R)
@@ -790,7 +792,7 @@ def screws(a: Nested, c: Nested, R: Nested, heading: Nested) -> Screws:
     """The joint screws of the four limbs at pole C, a row a joint.
 
     Equations Section IV of the paper; base frame.
-    228 operations.
+    262 operations.
 
     Parameters
     ----------
@@ -857,11 +859,12 @@ def screws(a: Nested, c: Nested, R: Nested, heading: Nested) -> Screws:
     lambda_y = c_y*x7
     lambda_z = c_z*x7
     x8 = -c_x
+    x9 = a + x8
     # distance of C from the plane of the limb (4) [m]
-    h1 = a + x8
-    x9 = 1.0/n1_x
+    h1 = x9
+    x10 = 1.0/n1_x
     # signed distance from C to B_i (4) [m]
-    e1 = h1*x9
+    e1 = h1*x10
     # p_i times the horizontal part of the leg [m]
     gt1 = c_y*n1_x + h1*n1_y
     # p_i times the vertical part of the leg [m]
@@ -870,71 +873,80 @@ def screws(a: Nested, c: Nested, R: Nested, heading: Nested) -> Screws:
     l1 = sqrt((gt1*gt1) + (gz1*gz1))
     # length of the outer limb (10) [m]
     q1 = l1/absolute(n1_x)
-    x10 = x9/q1
+    x11 = 1.0/q1
+    x12 = gt1*x11
     # unit vector along the outer limb Section IV [1]
-    w1_y = gt1*x10
-    w1_z = gz1*x10
-    x11 = -mpf(1)/2*a
+    w1_y = x10*x12
+    x13 = gz1*x11
+    w1_z = x10*x13
+    x14 = -mpf(1)/2*a
     # position of A_2 Section II [m]
-    a2_x = x11
-    x12 = SQRT3_2*a
-    a2_y = x12
-    x13 = SQRT3_2*c_y
-    x14 = a + mpf(1)/2*c_x
+    a2_x = x14
+    x15 = SQRT3_2*a
+    a2_y = x15
+    x16 = SQRT3_2*c_y
+    x17 = a + mpf(1)/2*c_x
     # distance of C from the plane of the limb (4) [m]
-    h2 = -x13 + x14
+    h2 = -x16 + x17
     # cosine of the angle between n_i and u_i (4) [1]
     p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
-    x15 = 1.0/p2
+    x18 = 1.0/p2
     # signed distance from C to B_i (4) [m]
-    e2 = h2*x15
-    x16 = mpf(1)/2*c_y
-    x17 = SQRT3_2*c_x
+    e2 = h2*x18
+    x19 = -SQRT3_2*n2_x - mpf(1)/2*n2_y
+    x20 = mpf(1)/2*c_y
+    x21 = SQRT3_2*c_x
+    x22 = -x20 - x21
     # p_i times the horizontal part of the leg [m]
-    gt2 = h2*(-SQRT3_2*n2_x - mpf(1)/2*n2_y) + p2*(-x16 - x17)
+    gt2 = h2*x19 + p2*x22
     # p_i times the vertical part of the leg [m]
     gz2 = c_z*p2 + h2*n2_z
     # p_i times the leg, its length [m]
     l2 = sqrt((gt2*gt2) + (gz2*gz2))
     # length of the outer limb (10) [m]
     q2 = l2/absolute(p2)
-    x18 = x15/q2
-    x19 = gt2*x18
+    x23 = 1.0/q2
+    x24 = gt2*x23
+    x25 = x18*x24
     # unit vector along the outer limb Section IV [1]
-    w2_x = -SQRT3_2*x19
-    w2_y = -mpf(1)/2*x19
-    w2_z = gz2*x18
+    w2_x = -SQRT3_2*x25
+    w2_y = -mpf(1)/2*x25
+    w2_z = gz2*x18*x23
     # position of A_3 Section II [m]
-    a3_x = x11
-    a3_y = -x12
+    a3_x = x14
+    a3_y = -x15
     # distance of C from the plane of the limb (4) [m]
-    h3 = x13 + x14
+    h3 = x16 + x17
     # cosine of the angle between n_i and u_i (4) [1]
     p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
-    x20 = 1.0/p3
+    x26 = 1.0/p3
     # signed distance from C to B_i (4) [m]
-    e3 = h3*x20
-    x21 = -x16
+    e3 = h3*x26
+    x27 = SQRT3_2*n3_x - mpf(1)/2*n3_y
+    x28 = -x20
+    x29 = x21 + x28
     # p_i times the horizontal part of the leg [m]
-    gt3 = h3*(SQRT3_2*n3_x - mpf(1)/2*n3_y) + p3*(x17 + x21)
+    gt3 = h3*x27 + p3*x29
     # p_i times the vertical part of the leg [m]
     gz3 = c_z*p3 + h3*n3_z
     # p_i times the leg, its length [m]
     l3 = sqrt((gt3*gt3) + (gz3*gz3))
     # length of the outer limb (10) [m]
     q3 = l3/absolute(p3)
-    x22 = x20/q3
-    x23 = gt3*x22
+    x30 = 1.0/q3
+    x31 = gt3*x30
+    x32 = x26*x31
     # unit vector along the outer limb Section IV [1]
-    w3_x = SQRT3_2*x23
-    w3_y = -mpf(1)/2*x23
-    w3_z = gz3*x22
-    x24 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    w3_x = SQRT3_2*x32
+    w3_y = -mpf(1)/2*x32
+    w3_z = gz3*x26*x30
+    x33 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
     # axis of the second revolute of the central limb Section IV [1]
-    axis_x = heading_2*x24
-    axis_y = -heading_1*x24
+    axis_x = heading_2*x33
+    axis_y = -heading_1*x33
+    x34 = -c_y
     # lower revolute, actuated by q4 Section IV [1, m]
-    screw41_ox = -c_y
+    screw41_ox = x34
     # second revolute, actuated by q5 Section IV [1, m]
     screw42_ox = axis_y*c_z
     screw42_oy = -axis_x*c_z
@@ -944,49 +956,56 @@ def screws(a: Nested, c: Nested, R: Nested, heading: Nested) -> Screws:
     screw46_y = x3
     screw46_z = x5
     # axis of the upper revolute, not a unit vector Section IV [1]
-    nw1_x = n1_y*w1_z - n1_z*w1_y
-    nw1_y = -n1_x*w1_z
-    nw1_z = n1_x*w1_y
+    nw1_x = x11*(-c_y*n1_z + c_z*n1_y)
+    nw1_y = -x13
+    nw1_z = x12
     # base revolute Section IV [1, m]
     screw11_oy = -c_z
     # revolute along the leg Section IV [1, m]
-    screw13_ox = e1*nw1_x
-    screw13_oy = e1*nw1_y
-    screw13_oz = e1*nw1_z
+    screw13_ox = -c_y*w1_z + c_z*w1_y
+    x35 = -x9
+    screw13_oy = w1_z*x35
+    screw13_oz = -w1_y*x35
     # upper revolute Section IV [1, m]
     screw14_ox = e1*(n1_y*nw1_z - n1_z*nw1_y)
     screw14_oy = e1*(-n1_x*nw1_z + n1_z*nw1_x)
     screw14_oz = e1*(n1_x*nw1_y - n1_y*nw1_x)
+    x36 = c_z*x19
+    x37 = n2_z*x22
     # axis of the upper revolute, not a unit vector Section IV [1]
-    nw2_x = n2_y*w2_z - n2_z*w2_y
-    nw2_y = -n2_x*w2_z + n2_z*w2_x
-    nw2_z = n2_x*w2_y - n2_y*w2_x
-    x25 = SQRT3_2*c_z
+    nw2_x = x23*(SQRT3_2*gz2 - mpf(1)/2*x36 + mpf(1)/2*x37)
+    nw2_y = x23*(SQRT3_2*(x36 - x37) + mpf(1)/2*gz2)
+    nw2_z = x24
+    x38 = SQRT3_2*c_z
     # base revolute Section IV [1, m]
-    screw21_ox = x25
-    x26 = mpf(1)/2*c_z
-    screw21_oy = x26
-    screw21_oz = -SQRT3_2*(-a2_x - x8) + mpf(1)/2*a2_y - x16
+    screw21_ox = x38
+    x39 = mpf(1)/2*c_z
+    screw21_oy = x39
+    x40 = -a2_x - x8
+    screw21_oz = -SQRT3_2*x40 + mpf(1)/2*a2_y - x20
+    x41 = -a2_y - x34
     # revolute along the leg Section IV [1, m]
-    screw23_ox = e2*nw2_x
-    screw23_oy = e2*nw2_y
-    screw23_oz = e2*nw2_z
+    screw23_ox = c_z*w2_y - w2_z*x41
+    screw23_oy = -c_z*w2_x + w2_z*x40
+    screw23_oz = w2_x*x41 - w2_y*x40
     # upper revolute Section IV [1, m]
     screw24_ox = e2*(n2_y*nw2_z - n2_z*nw2_y)
     screw24_oy = e2*(-n2_x*nw2_z + n2_z*nw2_x)
     screw24_oz = e2*(n2_x*nw2_y - n2_y*nw2_x)
     # axis of the upper revolute, not a unit vector Section IV [1]
-    nw3_x = n3_y*w3_z - n3_z*w3_y
-    nw3_y = -n3_x*w3_z + n3_z*w3_x
-    nw3_z = n3_x*w3_y - n3_y*w3_x
+    nw3_x = x30*(-SQRT3_2*gz3 + mpf(1)/2*n3_z*x29 - x27*x39)
+    nw3_y = x30*(-SQRT3_2*(c_z*x27 - n3_z*x29) + mpf(1)/2*gz3)
+    nw3_z = x31
     # base revolute Section IV [1, m]
-    screw31_ox = -x25
-    screw31_oy = x26
-    screw31_oz = SQRT3_2*(-a3_x - x8) + mpf(1)/2*a3_y + x21
+    screw31_ox = -x38
+    screw31_oy = x39
+    x42 = -a3_x - x8
+    screw31_oz = SQRT3_2*x42 + mpf(1)/2*a3_y + x28
+    x43 = -a3_y - x34
     # revolute along the leg Section IV [1, m]
-    screw33_ox = e3*nw3_x
-    screw33_oy = e3*nw3_y
-    screw33_oz = e3*nw3_z
+    screw33_ox = c_z*w3_y - w3_z*x43
+    screw33_oy = -c_z*w3_x + w3_z*x42
+    screw33_oz = w3_x*x43 - w3_y*x42
     # upper revolute Section IV [1, m]
     screw34_ox = e3*(n3_y*nw3_z - n3_z*nw3_y)
     screw34_oy = e3*(-n3_x*nw3_z + n3_z*nw3_x)

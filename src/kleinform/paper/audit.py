@@ -42,7 +42,7 @@ def audit(parts: Mapping[str, list[Row]]) -> str:
         HEAD.format(test=PROVEN_IN),
         "## Numbered equations\n",
         *_equations(record),
-        "\n## What is refuted, each by a counter-example in exact numbers\n",
+        "\n## What is wrong or incomplete, each with a counter-example in exact numbers\n",
         *_refuted(record["counterexamples"]),
         "## Identities\n",
         *_identities(record["identities"]),
@@ -54,7 +54,9 @@ def audit(parts: Mapping[str, list[Row]]) -> str:
 
 def equation_verdicts(record: Mapping[str, Any]) -> dict[int, str]:
     """The verdict on each numbered equation."""
-    refuted = {number for entry in record["counterexamples"] for number in numbers(entry)}
+    # A counter-example to the text around an equation leaves the equation as it is.
+    wrong = [entry for entry in record["counterexamples"] if NUMBER.fullmatch(entry["number"])]
+    refuted = {number for entry in wrong for number in numbers(entry)}
     proven = {number for entry in record["identities"] for number in numbers(entry)}
     return {
         number: "corrected"
@@ -87,8 +89,8 @@ def _equations(record: Mapping[str, Any]) -> Iterator[str]:
 
 def _refuted(entries: Iterable[Mapping[str, Any]]) -> Iterator[str]:
     for entry in entries:
-        where = f" ({entry['number']})" if entry["number"] else ""
-        yield f"### {entry['name']}{where}\n"
+        where = "" if NUMBER.fullmatch(entry["number"]) else f", {entry['number']}"
+        yield f"### {entry['name'][0].upper()}{entry['name'][1:]}{where}\n"
         yield f"Printed: {entry['claim']}\n"
         yield f"True: {entry['correction']}\n"
         yield f"Counter-example, `{entry['file']}`:\n"
