@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 import platform
 import statistics
 import subprocess
@@ -9,11 +10,11 @@ import sys
 from collections.abc import Callable
 
 import numpy as np
-from kleinform_kernels import uncoupled
 
 import kleinform
 from benchmarks.peers import lambdified
 from benchmarks.timing import medians
+from kleinform_kernels import uncoupled
 
 POSES = 200_000
 SURVEY = {"survey": tuple(uncoupled.Survey._fields)}
@@ -23,7 +24,7 @@ VELOCITY = {"inverse_displacement": ("joints",), "jacobians": ("J_v", "J_q")}
 def poses(count: int) -> tuple[np.ndarray, np.ndarray]:
     """Random poses: positions around (0, 0, 1) m, rotations of any roll, pitch and yaw."""
     generator = np.random.default_rng(2021)
-    position = [*generator.normal(scale=0.4, size=(count, 3)), 0.0, 0.0, 1.0]
+    position = generator.normal(scale=0.4, size=(count, 3)) + np.array([0.0, 0.0, 1.0])
     roll, pitch, yaw = generator.uniform(-1.2, 1.2, size=(3, count))
     return position, kleinform.rotation_from_rpy(roll=roll, pitch=pitch, yaw=yaw)
 
@@ -66,11 +67,16 @@ def import_time(rounds: int = 15) -> None:
     """``import kleinform`` against ``import numpy``, each in a fresh interpreter, in turns."""
     code = "import time; t = time.perf_counter(); import {}; print(time.perf_counter() - t)"
     times: dict[str, list[float]] = {"numpy": [], "kleinform": []}
-    for _ in range(rounds):
+    # Compiled modules are kept between runs, as in any installed package.
+    environment = {k: v for k, v in os.environ.items() if k != "PYTHONDONTWRITEBYTECODE"}
+    for turn in range(rounds + 1):
         for name, values in times.items():
             command = [sys.executable, "-c", code.format(name)]
-            printed = subprocess.run(command, capture_output=True, text=True, check=True)
-            values.append(float(printed.stdout))
+            printed = subprocess.run(
+                command, capture_output=True, text=True, check=True, env=environment
+            )
+            if turn:
+                values.append(float(printed.stdout))
     numpy, ours = (statistics.median(times[name]) for name in ("numpy", "kleinform"))
     print(f"\nimport numpy {numpy * 1e3:.0f} ms, import kleinform {ours * 1e3:.0f} ms:", end=" ")
     print(f"{ours / numpy:.2f} times (medians of {rounds})")

@@ -15,7 +15,7 @@ from derivations.codegen.lower import Program, lower, prove_lowering
 from derivations.codegen.printers import mpmath, numpy
 from derivations.codegen.printers.python import class_name
 from derivations.codegen.tree import SCHEMA, manifest
-from derivations.sources import equation_sources, source_of
+from derivations.sources import equation_sources, numbers_in, printed_equation, source_of
 from derivations.uncoupled.counterexamples import counterexamples
 from derivations.uncoupled.identities import identities
 from derivations.uncoupled.kernels import kernels
@@ -80,6 +80,7 @@ def _prove() -> tuple[dict[str, Any], int]:
         {
             "name": identity.name,
             "number": identity.number,
+            "equations": numbers_in(identity.number),
             "claim": identity.claim,
             "file": source_of(identity.difference),
             "expressions": count,
@@ -90,6 +91,7 @@ def _prove() -> tuple[dict[str, Any], int]:
         {
             "name": example.name,
             "number": example.number,
+            "equations": printed_equation(example.number),
             "claim": example.claim,
             "correction": example.correction,
             "file": source_of(example.check),

@@ -6,7 +6,7 @@ import ast
 import re
 from pathlib import Path
 
-__all__ = ["equation_sources", "source_of"]
+__all__ = ["equation_sources", "numbers_in", "printed_equation", "source_of"]
 
 ROOT = Path(__file__).resolve().parent
 NUMBER = re.compile(r"\((\d+)\)")
@@ -21,10 +21,15 @@ def numbers_in(text: str) -> list[int]:
     return sorted(found)
 
 
+def printed_equation(place: str) -> list[int]:
+    """The equation that is itself misprinted at a place such as "(8)"; none in "on (8)"."""
+    return numbers_in(place) if NUMBER.fullmatch(place) else []
+
+
 def equation_sources() -> dict[int, list[str]]:
     """For each equation number, ``file:function`` of what names it in the derivations."""
     places: dict[int, list[str]] = {}
-    files = [*sorted((ROOT / "algebra").glob("*.py")), *sorted((ROOT / "uncoupled").glob("*.py"))]
+    files = [ROOT / "algebra" / "screws.py", *sorted((ROOT / "uncoupled").glob("*.py"))]
     for path in files:
         if path.name in (
             "counterexamples.py",

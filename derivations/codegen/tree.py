@@ -73,7 +73,6 @@ def replace(root: Path, files: Tree) -> dict[str, str]:
     if not changes:
         return {}
     aside, old = _aside(root), _old(root)
-    shutil.rmtree(aside, ignore_errors=True)
     for name, text in files.items():
         path = aside / name
         path.parent.mkdir(parents=True, exist_ok=True)
@@ -86,7 +85,8 @@ def replace(root: Path, files: Tree) -> dict[str, str]:
 
 
 def recover(root: Path) -> None:
-    """Undo a swap that was interrupted between its two renames."""
+    """Clean up after an interrupted run: half a new tree, or a swap between its renames."""
+    shutil.rmtree(_aside(root), ignore_errors=True)
     old = _old(root)
     if old.exists():
         if root.exists():

@@ -289,7 +289,8 @@ REFUTED = (
     Counterexample(
         "coplanar lines S",
         "the manipulator is at a direct singularity if the lines S_i are coplanar",
-        "only if C lies in their plane, as it does when every e_i > 0",
+        "if C lies in their plane, as it does when every e_i > 0; else only if they are also "
+        "parallel or meet in a point",
         coplanar_lines,
         "Section V, on (27)",
     ),

@@ -82,7 +82,14 @@ def limb_inverse(i: int | str) -> list[Equation]:
         base_joint(i),
         Equation(h, a - Dot(c, u), "distance of C from the plane of the limb", "(4)", "m"),
         Equation(p, Dot(n, u), "cosine of the angle between n_i and u_i", "(4)"),
-        Equation(e, h / p, "signed distance from C to B_i", "(4)", "m"),
+        Equation(
+            e,
+            (a - Dot(c, u)) / Dot(n, u),
+            "signed distance from C to B_i",
+            "(4)",
+            "m",
+            computed_as=h / p,
+        ),
         Equation(b, c + e * n, "position of B_i", "(3)", "m"),
         Equation(
             gt,

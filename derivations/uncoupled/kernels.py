@@ -106,7 +106,7 @@ def displacement_kernels() -> list[Kernel]:
             "(11)",
             pose,
             (POSITION,),
-            (Output("joints", central_limb, "rad, rad, m", "q4, q5, q6"),),
+            (Output("joints", central_limb, "rad, rad, m", "q4, q5, q6"), RADIAL),
         ),
         Kernel(
             "closure",

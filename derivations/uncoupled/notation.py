@@ -98,7 +98,6 @@ LETTERS: dict[str, Letter | str] = {
     "det_J_q": r"\det \mathbf{J}_{q}",
     "det_J_v": r"\det \mathbf{J}_{v}",
     "det_moments": r"\det\left[\mathbf{s}_{O,1}\;\mathbf{s}_{O,2}\;\mathbf{s}_{O,3}\right]",
-    "q_scale#": r"\operatorname{scale}(q_{#})",
     "e_scale#": r"\operatorname{scale}(e_{#})",
     "limb_scale#": r"\operatorname{scale}(\kappa_{#})",
     "central_scale": r"\operatorname{scale}(f_{\mathrm{central}})",

@@ -149,7 +149,6 @@ def scales() -> list[Equation]:
         tj, tk = Abs(scalar(f"tau{j}")), Abs(scalar(f"tau{k}"))
         sensitivity += sj * sk + tj * sk + tk * sj
         equations += [
-            Equation(scalar(f"q_scale{i}"), reach / Abs(p), f"scale of q{i}", unit="m"),
             Equation(scalar(f"limb_scale{i}"), length / rho, f"scale of limb {i}'s Klein form"),
             Equation(scalar(f"e_scale{i}"), (a + q6) / Abs(p), f"scale of e{i}", unit="m"),
         ]

@@ -168,10 +168,12 @@ def jacobians() -> list[Equation]:
 
     def entry(row: int, column: int) -> Expr:
         if row < 3:
-            return scalar(f"limb{row + 1}") if row == column else S.Zero
+            return Klein(lines[row], screw(row + 1, 2)) if row == column else S.Zero
         return Klein(wrist[row - 3], actuated[column - 3]) if column >= 3 else S.Zero
 
     def computed(row: int, column: int) -> Expr:
+        if row < 3:
+            return scalar(f"limb{row + 1}") if row == column else S.Zero
         if row == 3:
             return S.One if column == 5 else S.Zero
         return entry(row, column)

@@ -70,7 +70,7 @@ class TrackingError(KleinformError):
         Index of the first sample that could not be reached.
     """
 
-    def __init__(self, message: str, sample: int) -> None:
+    def __init__(self, message: str, sample: int = 0) -> None:
         super().__init__(message)
         self.sample = sample
 

@@ -8,15 +8,15 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import JointRangeError
-from kleinform.screening import Errors, Screen, real_array, reject_bad_numbers
+from kleinform.screening import Screen, real_array, reject_bad_numbers
 
 __all__ = ["checked_joints"]
 
 Array = NDArray[np.float64]
 
 
-def checked_joints(value: ArrayLike, errors: Errors = "raise") -> tuple[Array, Screen]:
-    """Joint values (..., 6) within their ranges, and the screen of those that are not.
+def checked_joints(value: ArrayLike) -> Array:
+    """Joint values (..., 6) within their ranges.
 
     Raises
     ------
@@ -25,17 +25,14 @@ def checked_joints(value: ArrayLike, errors: Errors = "raise") -> tuple[Array, S
         A length q1, q2, q3, q6 is negative, or q5 is outside [−π/2, π/2].
     """
     joints = real_array("joints", value, (6,))
-    screen = Screen(joints.shape[:-1], errors)
+    screen = Screen(joints.shape[:-1], "raise")
     reject_bad_numbers(screen, "joints", joints, 1)
     for index in (0, 1, 2, 5):
         length = joints[..., index]
         rule = f"joints: q{index + 1} >= 0 is needed"
         screen.reject(length < 0.0, JointRangeError, rule, length)
     elevation = joints[..., 4]
-    screen.reject(
-        abs(elevation) > pi / 2.0,
-        JointRangeError,
-        "joints: q5 in [−π/2, π/2] is needed",
-        elevation,
-    )
-    return joints, screen
+    rule = "joints: q5 in [−π/2, π/2] is needed"
+    screen.reject(abs(elevation) > pi / 2.0, JointRangeError, rule, elevation)
+    screen.settle()
+    return joints

@@ -53,16 +53,28 @@ class UncoupledManipulator:
     """
 
     def __init__(self, radius: ArrayLike = 1.0, *, rounding: float = 16.0) -> None:
-        self.radius = real_array("radius", radius, ())
-        reject_bad_numbers(Screen(self.radius.shape, "raise"), "radius", self.radius, 0)
-        if not (self.radius >= SMALLEST).all():
-            raise InputError(
-                f"radius: positive, at least {SMALLEST:g} m, is needed, {self.radius.min()} arrived"
-            )
+        values = real_array("radius", radius, ()).copy()
+        screen = Screen(values.shape, "raise")
+        reject_bad_numbers(screen, "radius", values, 0)
+        rule = f"radius: positive, at least {SMALLEST:g} m, is needed"
+        screen.reject(values < SMALLEST, InputError, rule, values)
+        screen.settle()
+        values.setflags(write=False)
+        self._radius = values
         factor = real_array("rounding", rounding, ())
         if factor.ndim or not (np.isfinite(factor) and factor >= 0.0):
             raise InputError(f"rounding: one number >= 0 is needed, {rounding!r} arrived")
-        self.rounding = float(factor)
+        self._rounding = float(factor)
+
+    @property
+    def radius(self) -> Array:
+        """Radius a of the circle through A_1, A_2, A_3 [m], read-only."""
+        return self._radius
+
+    @property
+    def rounding(self) -> float:
+        """The k of "a factor counts as zero when |f| <= k eps scale(f)"."""
+        return self._rounding
 
     def __repr__(self) -> str:
         return f"UncoupledManipulator(radius={self.radius[()]!r}, rounding={self.rounding!r})"
@@ -86,7 +98,8 @@ class UncoupledManipulator:
         rotation : array_like (..., 3, 3), or anything with ``as_matrix()``
             Rotation of the platform; its columns are n_1, the platform's y axis, its normal.
         azimuth : array_like (...), optional
-            q4 [rad] for the poses with C on the Z axis, where the position leaves it free.
+            q4 [rad] for the poses with C on the Z axis, where the position leaves it free;
+            returned there as given.
         errors : {"raise", "nan"}
 
         Returns
@@ -271,8 +284,9 @@ class UncoupledManipulator:
         Parameters
         ----------
         position, rotation, errors
-            As in `inverse_displacement`. A singular pose never raises here; a factor is NaN
-            only where it is 0/0: ``limb_i`` at q_i = 0, ``wrist`` at c = 0.
+            As in `inverse_displacement`. A singular pose never raises here. A factor is NaN
+            where it is 0/0, and ``.undefined()`` tells where: ``limb_i`` where the leg has no
+            direction (q_i = 0, or n_i·u_i = 0 = a − c·u_i), ``wrist`` at c = 0.
         """
         pose = check_pose(self, position, rotation, errors)
         result = kernels.inverse_singularity(pose.radius, pose.position, pose.rotation)
@@ -292,7 +306,7 @@ class UncoupledManipulator:
         ----------
         position, rotation, errors
             As in `inverse_singularity`. At ``n_i·u_i = 0`` the point B_i is at infinity, and
-            so are e_i and what contains it.
+            so are e_i and what contains it; if also ``a = c·u_i``, both are 0/0.
         """
         pose = check_pose(self, position, rotation, errors)
         result = kernels.direct_singularity(pose.radius, pose.position, pose.rotation)

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import InputError, SingularPoseError
+from kleinform.generated import kernels
 from kleinform.results import is_zero
 from kleinform.screening import (
     SMALLEST,
@@ -34,8 +35,11 @@ NO_LEG = tuple(f"q_{i} = 0, leg {i} has no direction" for i in (1, 2, 3))
 class Geometry(Protocol):
     """What a pose needs to know of the manipulator."""
 
-    radius: Array
-    rounding: float
+    @property
+    def radius(self) -> Array: ...
+
+    @property
+    def rounding(self) -> float: ...
 
 
 @dataclass(frozen=True)
@@ -88,11 +92,11 @@ class Pose:
         planar = self.position[..., :2]
         if self.azimuth is None:
             return planar
-        radial = np.hypot(planar[..., 0], planar[..., 1])
-        length = np.hypot(radial, self.position[..., 2])
+        limb = kernels.central_inverse(self.position)
+        on_axis = self.on_axis(limb.radial, limb.joints[..., 2])
         with np.errstate(invalid="ignore"):  # an infinite azimuth is refused already
             given = np.stack([np.cos(self.azimuth), np.sin(self.azimuth)], axis=-1)
-        return np.where(self.on_axis(radial, length)[..., np.newaxis], given, planar)
+        return np.where(on_axis[..., np.newaxis], given, planar)
 
 
 def reject_underflow(screen: Screen, position: Array) -> None:
@@ -120,7 +124,7 @@ def check_pose(
 ) -> Pose:
     """Check a pose and what comes with it; ``others`` are arrays ``(..., n)`` by name."""
     place = real_array("position", position, (3,))
-    turn, tolerance = rotation_array(rotation)
+    turn, tolerance = rotation_array("rotation", rotation)
     angle = None if azimuth is None else real_array("azimuth", azimuth, ())
     shapes = {
         "radius": robot.radius.shape,
@@ -136,9 +140,10 @@ def check_pose(
         place = np.broadcast_to(place, (*lead, 3))
     reject_bad_numbers(screen, "position", place, 1)
     reject_underflow(screen, place)
-    reject_bad_rotations(screen, turn, tolerance)
+    reject_bad_rotations(screen, "rotation", turn, tolerance)
     if angle is not None:
         reject_bad_numbers(screen, "azimuth", angle, 0)
     for name, array in others.items():
         reject_bad_numbers(screen, name, array, 1)
+    screen.settle()
     return Pose(robot.radius, robot.rounding, place, turn, angle, screen)

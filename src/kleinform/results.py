@@ -61,6 +61,7 @@ class _Factors:
     factors: Mapping[str, Array]
     scales: Mapping[str, Array]
     rounding: float
+    valid: Mask
 
     def vanishing(self) -> dict[str, Mask]:
         """For each factor, where it counts as zero: ``|f| <= rounding eps scale``."""
@@ -69,8 +70,12 @@ class _Factors:
             for name, value in self.factors.items()
         }
 
+    def undefined(self) -> dict[str, Mask]:
+        """For each factor, where it is 0/0 in a valid row: a limb or the wrist has no form."""
+        return {name: np.isnan(value) & self.valid for name, value in self.factors.items()}
 
-@dataclass(frozen=True)
+
+@dataclass(frozen=True, eq=False)
 class Singularity(_Factors):
     """A determinant and the factors that can make it vanish.
 
@@ -93,7 +98,7 @@ class Singularity(_Factors):
     valid: Mask
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Survey(_Factors):
     """Displacement and singularity analysis of poses in one pass.
 

@@ -10,10 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import NotARotationError
 from kleinform.generated import kernels
 from kleinform.screening import (
-    ROTATION_TOLERANCE,
     Errors,
     RotationLike,
     Screen,
+    allowed_defect,
     lead_of,
     real_array,
     reject_bad_numbers,
@@ -89,9 +89,9 @@ def rpy_from_rotation(rotation: RotationLike, *, errors: Errors = "raise") -> Ro
     ------
     ShapeError, DtypeError, NotFiniteError, NotARotationError
     """
-    array, tolerance = rotation_array(rotation)
+    array, tolerance = rotation_array("rotation", rotation)
     screen = Screen(array.shape[:-2], errors)
-    reject_bad_rotations(screen, array, tolerance)
+    reject_bad_rotations(screen, "rotation", array, tolerance)
     angles = kernels.rpy_from_rotation(array)
     screen.blank(*angles)
     return RollPitchYaw(*(angle[()] for angle in angles))
@@ -115,7 +115,7 @@ def rotation_from_directions(n1: ArrayLike, n2: ArrayLike, *, errors: Errors = "
     ------
     ShapeError, DtypeError, NotFiniteError
     NotARotationError
-        The directions are not unit vectors 120° apart, to within ROTATION_TOLERANCE.
+        The directions are not unit vectors 120° apart, to within 1e-9 (2e-6 if float32).
     """
     first, second = real_array("n1", n1, (3,)), real_array("n2", n2, (3,))
     screen = Screen(lead_of(n1=first.shape[:-1], n2=second.shape[:-1]), errors)
@@ -127,10 +127,11 @@ def rotation_from_directions(n1: ArrayLike, n2: ArrayLike, *, errors: Errors = "
         np.einsum("...i,...i", first, second) + 0.5,
     )
     worst = np.maximum(np.maximum(abs(gaps[0]), abs(gaps[1])), abs(gaps[2]))
+    tolerance = allowed_defect(n1, n2)
     screen.reject(
-        ~(worst <= ROTATION_TOLERANCE),
+        ~(worst <= tolerance),
         NotARotationError,
-        f"n1, n2: not unit vectors 120° apart (to within {ROTATION_TOLERANCE})",
+        f"n1, n2: not unit vectors 120° apart (to within {tolerance})",
         worst,
     )
     rotation = kernels.rotation_from_directions(first, second).rotation

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Literal, Protocol, runtime_checkable
+from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -47,10 +47,12 @@ def real_array(name: str, value: ArrayLike, core: tuple[int, ...]) -> Array:
     Raises
     ------
     DtypeError
-        It is not of real numbers (booleans, complex, objects), or wider than float64.
+        It is not of real numbers (booleans, complex, objects), wider than float64, or masked.
     ShapeError
         It is ragged, or its trailing axes are not ``core``.
     """
+    if isinstance(value, np.ma.MaskedArray):
+        raise DtypeError(f"{name}: a plain array is needed, a masked array arrived: fill it")
     try:
         array = np.asarray(value)
     except ValueError as error:
@@ -63,11 +65,20 @@ def real_array(name: str, value: ArrayLike, core: tuple[int, ...]) -> Array:
     return array.astype(np.float64, copy=False)
 
 
+class Broken(NamedTuple):
+    """A rule, the rows that broke it, and what arrived in them (None where it says nothing)."""
+
+    mask: Mask
+    error: type[KleinformError]
+    rule: str
+    arrived: Any
+
+
 class Screen:
     """Collects the rows of a batch that broke a rule.
 
-    With ``errors="raise"`` the first broken rule raises, naming the first row and their
-    number. With ``errors="nan"`` the rows are remembered and blanked in the results.
+    With ``errors="raise"`` `settle` raises, naming the first row and the number of rows. With
+    ``errors="nan"`` the rows are remembered and blanked in the results.
     """
 
     def __init__(self, lead: tuple[int, ...], errors: Errors) -> None:
@@ -75,43 +86,47 @@ class Screen:
             raise InputError(f'errors: "raise" or "nan" is needed, {errors!r} arrived')
         self.lead = lead
         self.errors = errors
-        self.rejected: Mask | None = None
+        self.broken: list[Broken] = []
 
     def reject(
-        self, broken: Any, error: type[KleinformError], rule: str, arrived: Any = None
+        self, rows: Any, error: type[KleinformError], rule: str, arrived: Any = None
     ) -> None:
-        """Refuse the rows where ``broken``; ``arrived`` has the value of each row to show."""
-        if not np.any(broken):
+        """Refuse some rows; ``arrived`` has the value of each row to show."""
+        if np.any(rows):
+            mask = np.broadcast_to(np.asarray(rows, dtype=bool), self.lead)
+            self.broken.append(Broken(mask, error, rule, arrived))
+
+    def settle(self) -> None:
+        """Raise for the first row that was refused, if rows are not to be blanked."""
+        if self.errors == "nan" or not self.broken:
             return
-        mask = np.broadcast_to(np.asarray(broken, dtype=bool), self.lead)
-        if self.errors == "nan":
-            self.rejected = mask if self.rejected is None else self.rejected | mask
-            return
-        raise error(self._message(mask, rule, arrived), mask.copy())
+        rejected = ~self.valid
+        first = tuple(map(int, np.argwhere(rejected)[0]))
+        broken = next(entry for entry in self.broken if entry.mask[first])
+        text = broken.rule
+        if broken.arrived is not None:
+            value = np.broadcast_to(broken.arrived, self.lead)[first]
+            text += f"; {float(value)!r} arrived"
+        if self.lead:
+            where = first[0] if len(first) == 1 else first
+            text += f", first at pose {where}; {int(rejected.sum())} of {rejected.size} poses"
+        raise broken.error(text, rejected)
 
     def blank(self, *results: Array) -> None:
-        """Write NaN into the rows of results that were refused."""
-        if self.rejected is not None:
+        """Settle, or write NaN into the rows of results that were refused."""
+        self.settle()
+        if self.broken:
+            rejected = ~self.valid
             for result in results:
-                result[self.rejected] = np.nan
+                result[rejected] = np.nan
 
     @property
     def valid(self) -> Mask:
         """True for the rows that kept every rule."""
-        if self.rejected is None:
-            return np.ones(self.lead, dtype=bool)
-        return ~self.rejected
-
-    def _message(self, mask: Mask, rule: str, arrived: Any) -> str:
-        first = tuple(map(int, np.argwhere(mask)[0]))
-        text = rule
-        if arrived is not None:
-            value = np.broadcast_to(arrived, self.lead + np.shape(arrived)[np.ndim(arrived) :])
-            text += f"; {float(value[first])!r} arrived"
-        if self.lead:
-            where = first[0] if len(first) == 1 else first
-            text += f", first at pose {where}; {int(mask.sum())} of {mask.size} poses"
-        return text
+        valid = np.ones(self.lead, dtype=bool)
+        for entry in self.broken:
+            valid &= ~entry.mask
+        return valid
 
 
 def lead_of(**shapes: tuple[int, ...]) -> tuple[int, ...]:
@@ -129,12 +144,16 @@ def lead_of(**shapes: tuple[int, ...]) -> tuple[int, ...]:
         raise ShapeError(f"leading axes do not broadcast: {listed}") from None
 
 
-def rotation_array(value: RotationLike) -> tuple[Array, float]:
+def rotation_array(name: str, value: RotationLike) -> tuple[Array, float]:
     """The rotation as float64 ``(..., 3, 3)`` and the defect that its precision allows."""
     given = value.as_matrix() if isinstance(value, HasMatrix) else value
-    array = real_array("rotation", given, (3, 3))
-    single = getattr(given, "dtype", None) == np.dtype("float32")
-    return array, ROTATION_TOLERANCE_FLOAT32 if single else ROTATION_TOLERANCE
+    return real_array(name, given, (3, 3)), allowed_defect(given)
+
+
+def allowed_defect(*given: Any) -> float:
+    """How far from orthonormal a rotation, or its columns, may be at their precision."""
+    single = any(getattr(value, "dtype", None) == np.dtype("float32") for value in given)
+    return ROTATION_TOLERANCE_FLOAT32 if single else ROTATION_TOLERANCE
 
 
 def reject_bad_numbers(screen: Screen, name: str, array: Array, core: int) -> None:
@@ -150,15 +169,15 @@ def reject_bad_numbers(screen: Screen, name: str, array: Array, core: int) -> No
     screen.reject(~(size <= LARGEST).all(trailing), InputError, f"{name}: above {LARGEST:g}")
 
 
-def reject_bad_rotations(screen: Screen, rotation: Array, tolerance: float) -> None:
+def reject_bad_rotations(screen: Screen, name: str, rotation: Array, tolerance: float) -> None:
     """Refuse rows that are no rotation, NaN and inf among them."""
     defect = kernels.rotation_defect(rotation).defect
     if (defect <= tolerance).all():
         return
-    reject_bad_numbers(screen, "rotation", rotation, 2)
+    reject_bad_numbers(screen, name, rotation, 2)
     screen.reject(
         ~(defect <= tolerance),
         NotARotationError,
-        f"rotation: not a rotation (its defect may be {tolerance})",
+        f"{name}: not a rotation (its defect may be {tolerance})",
         defect,
     )

@@ -41,10 +41,12 @@ BASIS = np.eye(6).reshape(6, 2, 3)
 def track(radius: Array, joints: ArrayLike, start_rotation: RotationLike) -> tuple[Array, Array]:
     """Positions and rotations along a motion; see `UncoupledManipulator.track`."""
     motion = _checked_motion(radius, joints)
-    start, tolerance = rotation_array(start_rotation)
+    start, tolerance = rotation_array("start_rotation", start_rotation)
     if start.shape != (3, 3):
         raise ShapeError(f"start_rotation: shape (3, 3) is needed, {start.shape} arrived")
-    reject_bad_rotations(Screen((), "raise"), start, tolerance)
+    screen = Screen((), "raise")
+    reject_bad_rotations(screen, "start_rotation", start, tolerance)
+    screen.settle()
     positions = kernels.central_forward(motion[:, 3:]).position
     followed = np.empty((len(motion), 2, 3))
     followed[0] = _first(float(radius), motion[0], start)
@@ -80,7 +82,7 @@ def refuse_crossings(direct: Singularity) -> None:
 
 
 def _checked_motion(radius: Array, joints: ArrayLike) -> Array:
-    motion, _ = checked_joints(joints)
+    motion = checked_joints(joints)
     if motion.ndim != 2 or len(motion) == 0:
         raise ShapeError(f"joints: shape (T, 6) with T >= 1 is needed, {motion.shape} arrived")
     if radius.ndim:

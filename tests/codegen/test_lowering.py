@@ -8,8 +8,6 @@ from dataclasses import replace
 import mpmath
 import numpy as np
 import pytest
-from kleinform_kernels import uncoupled
-from kleinform_kernels.uncoupled import mpmath_kernels
 from sympy import Basic, Float, ImmutableDenseMatrix, Rational, Symbol, sqrt
 
 from derivations.algebra.equations import DerivationError, Equation, Graph
@@ -17,6 +15,8 @@ from derivations.algebra.vectors import component_symbols, components, matrix, s
 from derivations.codegen.kernel import Input, Kernel, Output
 from derivations.codegen.lower import Line, Program, lower, prove_lowering
 from derivations.uncoupled.kernels import kernels
+from kleinform_kernels import uncoupled
+from kleinform_kernels.uncoupled import mpmath_kernels
 
 KERNELS = {kernel.name: kernel for kernel in kernels()}
 DIGITS = 40

@@ -13,10 +13,10 @@ from collections.abc import Iterator
 
 import mpmath
 import numpy as np
-from kleinform_kernels import uncoupled
-from kleinform_kernels.uncoupled import mpmath_kernels
 
 from derivations.uncoupled.kernels import kernels
+from kleinform_kernels import uncoupled
+from kleinform_kernels.uncoupled import mpmath_kernels
 from tests.support import EPS, Case, platform_directions
 
 DIGITS = 50

@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from kleinform_kernels import uncoupled
 
+from kleinform_kernels import uncoupled
 from tests.kernels.accuracy import KERNELS, arguments, ratios
 from tests.support import DISTANCES, NEAR, Case, random_cases, scaled
 

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from kleinform_kernels import _apply, uncoupled
 
+from kleinform_kernels import _apply, uncoupled
 from tests.kernels.accuracy import KERNELS, Arguments, arguments
 from tests.support import EPS, random_cases
 

@@ -23,9 +23,9 @@ def run(*arguments: str) -> subprocess.CompletedProcess[str]:
 
 
 def test_one_formula() -> None:
-    result = run("latex", "e_i")
+    result = run("latex", "h_i")
     assert result.returncode == 0
-    assert result.stdout == "e_{i} = \\frac{h_{i}}{p_{i}}\n"
+    assert result.stdout == "h_{i} = a - \\mathbf{c} \\cdot \\mathbf{u}_{i}\n"
     assert result.stderr == ""
 
 

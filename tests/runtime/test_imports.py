@@ -11,10 +11,10 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
-import kleinform_kernels
 import pytest
 
 import kleinform
+import kleinform_kernels
 
 ROOT = Path(__file__).resolve().parents[2]
 KERNELS = Path(kleinform_kernels.__file__).parent

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Basic, Expr, ImmutableDenseMatrix, ZeroMatrix, symbols
+from sympy import Basic, Expr, ImmutableDenseMatrix, Matrix, ZeroMatrix, symbols
 
 from derivations.algebra.identities import Identity
 from derivations.algebra.screws import Klein
@@ -53,7 +53,31 @@ def arrangements_of_lines() -> list[Identity]:
     def in_plane(name: str, i: int) -> Basic:
         return scalar(f"{name}_x{i}") * common + scalar(f"{name}_y{i}") * across
 
+    def beside(i: int) -> Basic:
+        """The moment of a line of the plane about C at some height below the plane."""
+        arm = in_plane("arm", i) + scalar("height") * Cross(common, across)
+        return Cross(arm, in_plane("s", i))
+
+    def in_plane_moment(i: int) -> list[Expr]:
+        (arm_x, arm_y), (s_x, s_y) = (
+            [scalar(f"{name}_{axis}{i}") for axis in "xy"] for name in ("arm", "s")
+        )
+        return [s_x, s_y, arm_x * s_y - arm_y * s_x]
+
     return [
+        Identity(
+            "coplanar lines S beside C",
+            "if the S_i are in a plane at some height over C, the determinant of their moments "
+            "about C is height² times that of their coordinates in the plane, which vanishes "
+            "only if they are parallel or meet in a point",
+            lambda: [
+                triple([beside(i) for i in LIMBS])
+                - scalar("height") ** 2
+                * components(Dot(Cross(common, across), Cross(common, across))) ** 2
+                * Matrix([in_plane_moment(i) for i in LIMBS]).det()
+            ],
+            number="(27)",
+        ),
         Identity(
             "parallel lines S",
             "if the S_i are parallel, their moments about C are coplanar and det J_v = 0",

@@ -186,7 +186,7 @@ def legs(i: int) -> list[Identity]:
             lambda: [direct(Dot(b - a_i, u))],
             number="(2)",
         ),
-        *(computed_form(direct, f"{name}{i}") for name in ("gt", "gz")),
+        *(computed_form(direct, f"{name}{i}") for name in ("e", "gt", "gz")),
         stated(
             f"leg {i}",
             f"p_{i} (b_{i} − a_{i}) = gt_{i} t_{i} + gz_{i} k",

@@ -15,7 +15,7 @@ from derivations.algebra.identities import Identity
 from derivations.algebra.unfolding import UNIT_QUATERNION, Unfolding, quaternion_rotation
 from derivations.algebra.vectors import Cross, Dot, Norm, scalar, vector
 from derivations.uncoupled.displacement import lam, q4, q5, q6, r
-from derivations.uncoupled.geometry import ROOT, base_k, c, m1, n1, nu
+from derivations.uncoupled.geometry import LIMBS, ROOT, base_k, c, m1, n1, nu
 from derivations.uncoupled.rates import forward_velocity_graph, inverse_velocity_graph
 from derivations.uncoupled.singularity import central, singularity_graph, wrist
 from derivations.uncoupled.velocity import axis, heading
@@ -96,6 +96,11 @@ def leg(i: int) -> Facts:
     p, gt, gz = scalars("p gt gz", i)
     b, a_i, t = vectors("b a t", i)
     return {b: a_i + (gt / p) * t + (gz / p) * base_k}
+
+
+def limb_forms() -> Facts:
+    """The Klein forms (23) under their names."""
+    return {pose()[f"limb{i}"].expression: scalar(f"limb{i}") for i in LIMBS}
 
 
 def from_platform(i: int) -> Facts:

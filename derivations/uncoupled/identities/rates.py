@@ -114,9 +114,9 @@ def length_rate(i: int) -> Identity:
 
 
 def line_facts(i: int) -> tuple[Facts, tuple[Expr, ...]]:
-    """S_i and its Klein form as computed, and the size of p_i."""
+    """e_i, S_i and its Klein form as computed, and the size of p_i."""
     sizes, nonnegative = absolute(scalar(f"p{i}"))
-    symbols = [*vectors("s so", i), matrix(f"S{i}", 6, 1), scalar(f"limb{i}")]
+    symbols = [scalar(f"e{i}"), *vectors("s so", i), matrix(f"S{i}", 6, 1), scalar(f"limb{i}")]
     return sizes | {symbol: pose()[symbol.name].computed_as for symbol in symbols}, nonnegative
 
 

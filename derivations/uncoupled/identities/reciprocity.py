@@ -17,6 +17,7 @@ from derivations.uncoupled.identities.facts import (
     central_facts,
     from_platform,
     leg,
+    limb_forms,
     line_from_leg,
     named,
     pose,
@@ -139,7 +140,7 @@ def central_limb() -> list[Identity]:
 def inverse_jacobian() -> list[Identity]:
     """(22), (24): the rows of the central limb."""
     kept = (*named("limb", *LIMBS), "n1", "n2", "c", "q6", "r")
-    unfold = Unfolding(pose(), central_facts(), kept)
+    unfold = Unfolding(pose(), central_facts() | limb_forms(), kept)
     symbolic = Unfolding(pose(), {}, ("lambda", "n1", "n2", "axis", "c"))
 
     def rows() -> list[Expr]:

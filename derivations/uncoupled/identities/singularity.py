@@ -29,6 +29,7 @@ from derivations.uncoupled.identities.facts import (
     central_facts,
     directions,
     factor_facts,
+    limb_forms,
     moment,
     named,
     own_directions,
@@ -116,7 +117,7 @@ def inverse_blocks() -> Identity:
         for column in (1, 2, 3)
     }
     first_row = dict(zip(forms, (0, 0, 1), strict=False))
-    unfold = Unfolding(pose(), forms | first_row, named("limb", *LIMBS))
+    unfold = Unfolding(pose(), limb_forms() | forms | first_row, named("limb", *LIMBS))
 
     def difference() -> list[Expr]:
         limbs = product(scalar(f"limb{i}") for i in LIMBS)

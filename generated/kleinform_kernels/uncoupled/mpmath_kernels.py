@@ -204,6 +204,7 @@ class CentralInverse(NamedTuple):
     """What `central_inverse` returns."""
 
     joints: Nested
+    radial: Nested
 
 
 def central_inverse(c: Nested) -> CentralInverse:
@@ -221,6 +222,8 @@ def central_inverse(c: Nested) -> CentralInverse:
     -------
     joints : nested list (..., 3)
         q4, q5, q6 [rad, rad, m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
     """
     SQRT3_2 = sqrt(mpf(3)) / 2
     c = _exact(c)
@@ -236,6 +239,7 @@ def central_inverse(c: Nested) -> CentralInverse:
     q4 = atan2(c_y, c_x)
     return CentralInverse(
         [q4, q5, q6],
+        r,
     )
 
 

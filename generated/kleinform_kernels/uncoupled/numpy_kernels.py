@@ -263,6 +263,7 @@ class CentralInverse(NamedTuple):
     """What `central_inverse` returns."""
 
     joints: Array
+    radial: Array
 
 
 def central_inverse(c: ArrayLike) -> CentralInverse:
@@ -280,6 +281,8 @@ def central_inverse(c: ArrayLike) -> CentralInverse:
     -------
     joints : array (..., 3)
         q4, q5, q6 [rad, rad, m]
+    radial : array (...)
+        distance of C from the Z axis [m]
     """
     return CentralInverse(
         *apply(
@@ -289,6 +292,7 @@ def central_inverse(c: ArrayLike) -> CentralInverse:
             ),
             (
                 (3,),
+                (),
             ),
         )
     )
@@ -296,6 +300,7 @@ def central_inverse(c: ArrayLike) -> CentralInverse:
 
 def _central_inverse(
     out_joints: Array,
+    out_radial: Array,
     c: Array,
 ) -> None:
     c_x, c_y, c_z = c
@@ -311,6 +316,7 @@ def _central_inverse(
     out_joints[0] = q4
     out_joints[1] = q5
     out_joints[2] = q6
+    out_radial[...] = r
 
 
 class Closure(NamedTuple):

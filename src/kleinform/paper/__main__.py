@@ -20,7 +20,7 @@ def show(parts: dict[str, list[Row]]) -> None:
             print(f"  {row.item:34}{numbers}  {row.verdict}")
     rows = [row for part in parts.values() for row in part]
     confirmed = sum(row.confirmed for row in rows)
-    print(f"\n{len(rows)} rows: {confirmed} confirmed, {len(rows) - confirmed} corrected")
+    print(f"\n{len(rows)} rows: {confirmed} confirmed, {len(rows) - confirmed} corrected or missed")
 
 
 def write(path: Path, text: str) -> None:

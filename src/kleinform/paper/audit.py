@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import json
-import re
 from collections.abc import Iterable, Iterator, Mapping
 from importlib.resources import files
 from typing import Any
@@ -13,7 +12,10 @@ from kleinform.paper.report import Row
 __all__ = ["audit", "equation_verdicts", "proofs"]
 
 LAST_EQUATION = 27
-NUMBER = re.compile(r"\((\d+)\)(?:-\((\d+)\))?")
+#: Equations that only say what a symbol means.
+DEFINITIONS = (13, 14, 18, 20, 21)
+#: Equations that the paper's text lacks.
+LOST = (19,)
 PROVEN_IN = "tests/derivations/test_identities.py"
 
 HEAD = """\
@@ -24,7 +26,9 @@ Written by `make paper`; do not edit. Identities are reduced to exactly 0 by Sym
 compared with the runtime's. `{test}` proves each identity by its name.
 
 Verdicts: **confirmed**: proven as printed. **corrected**: a counter-example refutes what is \
-printed, and what is true instead is proven. **definition**: there is nothing to prove.
+printed, and what is true stands beside it. **definition**: it says what a symbol means, and \
+identities prove what follows. **reconstructed**: missing in the paper's text, built from (22) \
+to (24).
 """
 
 
@@ -54,26 +58,13 @@ def audit(parts: Mapping[str, list[Row]]) -> str:
 
 def equation_verdicts(record: Mapping[str, Any]) -> dict[int, str]:
     """The verdict on each numbered equation."""
-    # A counter-example to the text around an equation leaves the equation as it is.
-    wrong = [entry for entry in record["counterexamples"] if NUMBER.fullmatch(entry["number"])]
-    refuted = {number for entry in wrong for number in numbers(entry)}
-    proven = {number for entry in record["identities"] for number in numbers(entry)}
-    return {
-        number: "corrected"
-        if number in refuted
-        else "confirmed"
-        if number in proven
-        else "definition"
-        for number in range(1, LAST_EQUATION + 1)
-    }
-
-
-def numbers(entry: Mapping[str, Any]) -> list[int]:
-    """The equations that an entry bears on; "(22)-(24)" are three."""
-    found: set[int] = set()
-    for first, last in NUMBER.findall(entry["number"]):
-        found |= set(range(int(first), int(last or first) + 1))
-    return sorted(found)
+    # A counter-example to the text around an equation bears on no equation.
+    refuted = {number for entry in record["counterexamples"] for number in entry["equations"]}
+    proven = {number for entry in record["identities"] for number in entry["equations"]}
+    verdicts = dict.fromkeys(range(1, LAST_EQUATION + 1), "unproven")
+    verdicts |= dict.fromkeys(sorted(proven), "confirmed")
+    verdicts |= dict.fromkeys(DEFINITIONS, "definition") | dict.fromkeys(LOST, "reconstructed")
+    return verdicts | dict.fromkeys(sorted(refuted), "corrected")
 
 
 def _equations(record: Mapping[str, Any]) -> Iterator[str]:
@@ -81,7 +72,7 @@ def _equations(record: Mapping[str, Any]) -> Iterator[str]:
     yield "|---|---|---|---|"
     for number, verdict in equation_verdicts(record).items():
         places = record["sources"].get(str(number), [])
-        names = [entry["name"] for entry in record["identities"] if number in numbers(entry)]
+        names = [entry["name"] for entry in record["identities"] if number in entry["equations"]]
         shown = ", ".join(names[:3]) + (f" and {len(names) - 3} more" if len(names) > 3 else "")
         derived = "<br>".join(f"`{place}`" for place in places)
         yield f"| ({number}) | {verdict} | {derived} | {shown} |"
@@ -89,7 +80,7 @@ def _equations(record: Mapping[str, Any]) -> Iterator[str]:
 
 def _refuted(entries: Iterable[Mapping[str, Any]]) -> Iterator[str]:
     for entry in entries:
-        where = "" if NUMBER.fullmatch(entry["number"]) else f", {entry['number']}"
+        where = "" if entry["equations"] else f", {entry['number']}"
         yield f"### {entry['name'][0].upper()}{entry['name'][1:]}{where}\n"
         yield f"Printed: {entry['claim']}\n"
         yield f"True: {entry['correction']}\n"

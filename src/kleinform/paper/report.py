@@ -14,7 +14,15 @@ from kleinform.paper import printed
 from kleinform.paper.examples import example_1, example_2, quintic_coefficients
 from kleinform.tracking import newton
 
-__all__ = ["Row", "closure_rows", "motion_rows", "pose_rows", "report", "table_2_rows"]
+__all__ = [
+    "Row",
+    "closure_rows",
+    "geometry_rows",
+    "motion_rows",
+    "pose_rows",
+    "report",
+    "table_2_rows",
+]
 
 Array = NDArray[np.float64]
 ROBOT = UncoupledManipulator(radius=printed.RADIUS)
@@ -35,9 +43,9 @@ class Row:
         return self.verdict.startswith("confirmed")
 
 
-def compare(item: str, text: str, computed: float, *, digits: int | None = None) -> Row:
+def compare(item: str, text: str, computed: float) -> Row:
     """A printed number against the computed one, to the digits that are printed."""
-    places = len(text.partition(".")[2]) if digits is None else digits
+    places = len(text.partition(".")[2])
     unit = 10.0**-places
     difference = computed - float(text)
     if abs(difference) <= 0.5 * unit * (1.0 + 1e-9):
@@ -46,7 +54,14 @@ def compare(item: str, text: str, computed: float, *, digits: int | None = None)
         verdict = "confirmed (truncated)"
     else:
         verdict = f"corrected: {computed:.{places}f}"
-    return Row(item, text, f"{computed:.{places + 2}f}", difference, verdict)
+    return Row(item, text, f"{computed:.{max(places + 2, 5)}f}", difference, verdict)
+
+
+def reached(item: str, intended: float, computed: float, tolerance: float) -> Row:
+    """What a motion was meant to reach, and what it reaches with the printed coefficients."""
+    difference = computed - intended
+    verdict = "confirmed" if abs(difference) <= tolerance else f"missed: {computed:.5g}"
+    return Row(item, f"{intended:g}", f"{computed:.5f}", difference, verdict)
 
 
 def bound(item: str, claim: str, value: float, limit: float) -> Row:
@@ -85,6 +100,22 @@ def pose_rows() -> Iterator[Row]:
         yield compare(name, text, float(value))
 
 
+def geometry_rows() -> Iterator[Row]:
+    """Section VI: the directions u_i, the points A_i, and C regained by (1)."""
+    sine = float(np.sqrt(3.0) / 2.0)
+    for name, text, value in (
+        ("u_2, X", "-0.5", -0.5),
+        ("u_2, Y", "0.866", sine),
+        ("u_3, Y", "-0.866", -sine),
+        ("A_2, Y", "0.866", printed.RADIUS * sine),
+        ("A_3, Y", "-0.866", -printed.RADIUS * sine),
+    ):
+        yield compare(name, text, value)
+    position = kernels.central_forward(start_joints()[3:]).position
+    for axis, text, value in zip("XYZ", ("0.25", "0.2", "1.0"), position, strict=True):
+        yield compare(f"{axis} of C by (1)", text, float(value))
+
+
 def closure_rows() -> Iterator[Row]:
     """Table 1: each row put back into the closure equations, then solved to full digits."""
     joints = start_joints()
@@ -97,8 +128,10 @@ def closure_rows() -> Iterator[Row]:
         # Six printed digits, truncated: each square is off by up to 2e-6 times its root.
         yield bound(f"{name}: closure (6)", "b_i·b_i = a² + q_i²", residual, 5e-6)
         solved = nearest_mode(joints, position, points)
-        worst = float(abs(solved - points).max())
-        yield bound(f"{name}: nearest solution", "B_i to 6 digits, truncated", worst, 1e-6)
+        for limb in range(3):
+            for axis in range(3):
+                item = f"{name}: {'XYZ'[axis]} of B_{limb + 1}"
+                yield compare(item, row[limb][axis], float(solved[limb, axis]))
 
 
 def nearest_mode(joints: Array, position: Array, points: Array) -> Array:
@@ -139,26 +172,22 @@ def motion_rows(samples: int = 201) -> Iterator[Row]:
 
 
 def _landmarks(name: str, positions: Array, rotations: Array) -> Iterator[Row]:
-    """Where a motion begins or ends, beside what the paper says."""
-    if name == "Example 1":
-        angles = np.degrees(rpy_from_rotation(rotations[0]))
-        for angle, value, expected in zip(
-            ("roll", "pitch", "yaw"), angles, printed.ROLL_PITCH_YAW_DEGREES, strict=True
-        ):
-            yield compare(f"{name}: {angle} at t = 0 [deg]", f"{expected:g}", value, digits=2)
-    else:
-        end = np.degrees(rpy_from_rotation(rotations[-1]))
-        for angle, value, expected in zip(
-            ("roll", "pitch", "yaw"), end, printed.END_ROLL_PITCH_YAW_DEGREES, strict=True
-        ):
-            yield compare(f"{name}: {angle} at t = 5 s [deg]", f"{expected:g}", value, digits=2)
-        for axis, value, expected in zip("XYZ", positions[-1], printed.END_POSITION, strict=True):
-            yield compare(f"{name}: {axis} of C at t = 5 s", f"{expected:g}", value, digits=3)
+    """Where a motion begins or ends, beside the pose that the paper means."""
+    first = name == "Example 1"
+    index, when = (0, "t = 0") if first else (-1, "t = 5 s")
+    angles = printed.ROLL_PITCH_YAW_DEGREES if first else printed.END_ROLL_PITCH_YAW_DEGREES
+    place = printed.POSITION if first else printed.END_POSITION
+    found = np.degrees(rpy_from_rotation(rotations[index]))
+    for angle, value, intended in zip(("roll", "pitch", "yaw"), found, angles, strict=True):
+        yield reached(f"{name}: {angle} at {when} [deg]", intended, float(value), 5e-3)
+    for axis, value, intended in zip("XYZ", positions[index], place, strict=True):
+        yield reached(f"{name}: {axis} of C at {when}", intended, float(value), 5e-4)
 
 
 def report() -> dict[str, list[Row]]:
     """Every row, by the part of the paper that it belongs to."""
     return {
+        "Geometry and C (Section VI)": list(geometry_rows()),
         "Inverse displacement and e_i (Section VI)": list(pose_rows()),
         "Table 1, coordinates of B_i": list(closure_rows()),
         "Table 2, coefficients of Example 2": list(table_2_rows()),

@@ -1,0 +1,47 @@
+"""What README prints is what its code prints."""
+
+from __future__ import annotations
+
+import contextlib
+import io
+import re
+from pathlib import Path
+
+import pytest
+
+import kleinform
+
+README = (Path(__file__).parents[1] / "README.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"```(\w*)\n(.*?)```", README, flags=re.DOTALL)
+
+
+@pytest.fixture(scope="module")
+def example() -> tuple[dict[str, object], str]:
+    """The names that the first Python block leaves, and what it printed."""
+    code = next(text for language, text in BLOCKS if language == "python")
+    names: dict[str, object] = {}
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(code, names)
+    return names, printed.getvalue()
+
+
+def test_the_example_prints_what_readme_shows(example) -> None:
+    _, printed = example
+    shown = next(text for language, text in BLOCKS if not language)
+    assert printed == shown
+
+
+def test_the_error_is_the_one_that_readme_shows(example) -> None:
+    names, _ = example
+    code = [text for language, text in BLOCKS if language == "python"][1]
+    call, comment = code.strip().split("\n")
+    with pytest.raises(kleinform.SingularPoseError) as caught:
+        exec(call, dict(names))
+    assert comment == f"# kleinform.errors.SingularPoseError: {caught.value}"
+
+
+def test_every_target_that_readme_names_exists() -> None:
+    makefile = (Path(__file__).parents[1] / "Makefile").read_text(encoding="utf-8")
+    for target in set(re.findall(r"make ([a-z-]+)", README)) - {"are"}:
+        assert re.search(rf"^{target}:", makefile, flags=re.MULTILINE), target
