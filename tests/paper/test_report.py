@@ -83,7 +83,7 @@ def test_every_numbered_equation_has_a_verdict() -> None:
     assert "unproven" not in verdicts.values()
     assert verdicts[19] == "reconstructed"
     assert verdicts[26] == "corrected"
-    assert verdicts[14] == "confirmed"
+    assert verdicts[17] == "confirmed"
 
 
 def test_the_audit_in_docs_is_what_make_paper_writes(parts) -> None:

@@ -140,6 +140,8 @@ SPOILED = {
     "no schema": lambda root: change(root / "__init__.py", "SCHEMA = 1", ""),
     "no checksums": lambda root: change(root / "__init__.py", "CHECKSUMS", "OTHERS"),
     "no kernels": lambda root: (root / "uncoupled/numpy_kernels.py").unlink(),
+    "no mpmath kernels": lambda root: (root / "uncoupled/mpmath_kernels.py").unlink(),
+    "what fails when run": lambda root: append(root / "uncoupled/numpy_kernels.py", "1 / 0\n"),
     "no array loops": lambda root: (root / "_apply.py").unlink(),
     "no syntax": lambda root: append(root / "uncoupled/numpy_kernels.py", "def\n"),
     "no package": shutil.rmtree,

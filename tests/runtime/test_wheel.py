@@ -102,7 +102,7 @@ def test_metadata(wheel: Path) -> None:
         (entry,) = [name for name in archive.namelist() if name.endswith("dist-info/METADATA")]
         lines = archive.read(entry).decode().splitlines()
     needed = [line for line in lines if line.startswith("Requires-Dist") and "extra" not in line]
-    assert needed == ["Requires-Dist: numpy>=1.26"]
+    assert needed == ["Requires-Dist: numpy>=2.0"]
     assert "License-Expression: BSD-3-Clause" in lines
     assert wheel.name.endswith("-py3-none-any.whl")
 

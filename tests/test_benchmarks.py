@@ -1,0 +1,29 @@
+"""The benchmark runs, and its peer computes the same as the kernels it is measured against."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from benchmarks import __main__ as bench
+from benchmarks.peers import lambdified
+from kleinform_kernels import uncoupled
+
+
+@pytest.mark.parametrize("wanted", [bench.SURVEY, bench.VELOCITY], ids=["survey", "velocity"])
+def test_the_peer_returns_what_the_kernels_return(wanted) -> None:
+    c, rotation = bench.poses(50)
+    peer = iter(lambdified(wanted)(1.0, c, rotation))
+    for kernel, outputs in wanted.items():
+        heading = (c[:, :2],) if kernel == "jacobians" else ()
+        result = getattr(uncoupled, kernel)(1.0, c, rotation, *heading)
+        for name in outputs:
+            np.testing.assert_allclose(next(peer), getattr(result, name), rtol=1e-9, atol=1e-12)
+    assert next(peer, None) is None
+
+
+def test_the_table_has_a_row_for_each_who(monkeypatch, capsys) -> None:
+    monkeypatch.setattr(bench, "POSES", 20)
+    bench.throughput()
+    rows = capsys.readouterr().out.splitlines()[2:]
+    assert [row[14:32].strip() for row in rows] == ["lambdify", "kernel", "validated call"] * 2
