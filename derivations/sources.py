@@ -3,7 +3,9 @@
 from __future__ import annotations
 
 import ast
+import inspect
 import re
+from collections.abc import Callable
 from pathlib import Path
 
 __all__ = ["equation_sources", "numbers_in", "printed_equation", "source_of"]
@@ -48,10 +50,9 @@ def equation_sources() -> dict[int, list[str]]:
     return dict(sorted(places.items()))
 
 
-def source_of(function: object) -> str:
+def source_of(function: Callable[..., object]) -> str:
     """The file of a function of the derivations, from the top of the project."""
-    code = function.__code__  # type: ignore[attr-defined]
-    return Path(code.co_filename).resolve().relative_to(ROOT.parent).as_posix()
+    return Path(inspect.getfile(function)).resolve().relative_to(ROOT.parent).as_posix()
 
 
 def _named_numbers(node: ast.AST) -> list[int]:

@@ -77,7 +77,7 @@ class UncoupledManipulator:
         return self._rounding
 
     def __repr__(self) -> str:
-        return f"UncoupledManipulator(radius={self.radius[()]!r}, rounding={self.rounding!r})"
+        return f"UncoupledManipulator(radius={self.radius.tolist()!r}, rounding={self.rounding!r})"
 
     # Displacement analysis --------------------------------------------------------------
 
