@@ -21,6 +21,12 @@ from derivations.uncoupled.velocity import axis, screw, velocity_graph
 central, wrist, orientation = scalar("central"), scalar("wrist"), scalar("orientation")
 tilt, reach = scalar("tilt"), scalar("reach")
 
+#: The factors of the determinants, in vectors.
+CENTRAL = q6**2 * cos(q5)
+WRIST = Dot(Cross(n1, vector("n2")), lam)
+FIRST, SECOND, THIRD = (Cross(vector(f"n{i}"), vector(f"d{i}") - c) for i in LIMBS)
+ORIENTATION = Dot(FIRST, Cross(SECOND, THIRD))
+
 
 def per_limb(name: str) -> list[Symbol]:
     """The scalars of that name, one a limb."""
@@ -73,14 +79,11 @@ def inverse_condition() -> list[Equation]:
 def factors() -> list[Equation]:
     """The factors of both determinants that can vanish."""
     (t1, t2, t3), (s1, s2, s3) = per_limb("tau"), per_limb("sigma")
-    columns = [Cross(vector(f"n{i}"), vector(f"d{i}") - c) for i in LIMBS]
     return [
-        Equation(
-            central, q6**2 * cos(q5), "central limb: q6² cos q5", "(26)", "m²", computed_as=q6 * r
-        ),
+        Equation(central, CENTRAL, "central limb: q6² cos q5", "(26)", "m²", computed_as=q6 * r),
         Equation(
             wrist,
-            Dot(Cross(n1, vector("n2")), lam),
+            WRIST,
             "wrist: the central limb in the platform's plane",
             "(26), (27)",
             computed_as=ROOT * Dot(nu, c) / q6,
@@ -94,7 +97,7 @@ def factors() -> list[Equation]:
         ),
         Equation(
             orientation,
-            Dot(columns[0], Cross(columns[1], columns[2])),
+            ORIENTATION,
             "orientation: the moments of B_iD_i about C are coplanar",
             "(27)",
             "m³",
@@ -112,8 +115,8 @@ def determinants() -> list[Equation]:
         Equation(
             scalar("det_J_q"),
             -product(q / span for q, span in zip(per_limb("q"), spans, strict=True))
-            * central
-            * wrist,
+            * CENTRAL
+            * WRIST,
             "determinant of the inverse Jacobian",
             "(22)-(26)",
             "m²",
@@ -121,7 +124,7 @@ def determinants() -> list[Equation]:
         ),
         Equation(
             scalar("det_moments"),
-            ratio * orientation,
+            ratio * ORIENTATION,
             "determinant of the moments of S_1, S_2, S_3",
             "(27)",
             "m³",
@@ -129,7 +132,7 @@ def determinants() -> list[Equation]:
         ),
         Equation(
             scalar("det_J_v"),
-            -ratio * orientation * wrist,
+            -ratio * ORIENTATION * WRIST,
             "determinant of the forward Jacobian",
             "(27)",
             "m³",

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from itertools import combinations
 
-from sympy import Basic, Expr, Matrix
+from sympy import Basic, Expr, Matrix, cos
 
 from derivations.algebra.identities import Identity
 from derivations.algebra.screws import Klein
@@ -19,7 +19,7 @@ from derivations.algebra.vectors import (
     scalar,
     vector,
 )
-from derivations.uncoupled.displacement import lam, q6, r
+from derivations.uncoupled.displacement import lam, q5, q6, r
 from derivations.uncoupled.geometry import LIMBS, ROOT, base_i, base_j, base_k, c, m1, n1, nu
 from derivations.uncoupled.identities.facts import (
     QUATERNION_RELATION,
@@ -37,7 +37,14 @@ from derivations.uncoupled.identities.facts import (
     scalars,
     span,
 )
-from derivations.uncoupled.singularity import central, orientation, product, wrist
+from derivations.uncoupled.singularity import (
+    ORIENTATION,
+    WRIST,
+    central,
+    orientation,
+    product,
+    wrist,
+)
 from derivations.uncoupled.velocity import ZERO, axis, screw
 
 det_moments = scalar("det_moments")
@@ -155,13 +162,15 @@ def determinants() -> list[Identity]:
     """Both determinants as products of their factors."""
     facts, nonnegative = limb_facts()
     unfold = Unfolding(
-        pose(), {**facts, **factor_facts()}, (*named("p l rho", *LIMBS), "nu", "c", "q6", "r")
+        pose(),
+        {**facts, WRIST: factor_facts()[wrist], cos(q5): r / q6},
+        (*named("p l rho", *LIMBS), "nu", "c", "q6", "r"),
     )
-    tilted = {orientation: pose()[orientation.name].computed_as}
+    tilted = {ORIENTATION: pose()[orientation.name].computed_as}
     moments = Unfolding(pose(), {**facts, **tilted}, named("p e rho tau sigma", *LIMBS))
     factored = Unfolding(
         pose(),
-        {det_moments: pose()[det_moments.name].expression},
+        {det_moments: pose()[det_moments.name].expression, ORIENTATION: orientation, WRIST: wrist},
         (*named("b d e", *LIMBS), "orientation", "wrist"),
     )
     return [
