@@ -9,12 +9,12 @@ from sympy import Basic, ImmutableDenseMatrix, MatrixSymbol, Symbol
 from derivations.algebra.equations import Graph, free_names
 from derivations.algebra.vectors import components
 
-__all__ = ["Input", "Kernel", "Output"]
+__all__ = ["Field", "Input", "Kernel", "Output"]
 
 
 @dataclass(frozen=True)
-class Input:
-    """An argument: its name, the symbols that its entries are, a unit and a line of words."""
+class Field:
+    """A named array: the symbols that its entries are, a unit and a line of words."""
 
     name: str
     symbols: Basic
@@ -30,22 +30,12 @@ class Input:
         return core_shape(self.symbols)
 
 
-@dataclass(frozen=True)
-class Output:
-    """A result: its name, the graph's symbol for it, a unit and a line of words."""
+class Input(Field):
+    """An argument of a kernel."""
 
-    name: str
-    symbol: Basic
-    unit: str
-    words: str
 
-    @property
-    def entries(self) -> Basic:
-        return components(self.symbol)
-
-    @property
-    def shape(self) -> tuple[int, ...]:
-        return core_shape(self.symbol)
+class Output(Field):
+    """A result of a kernel."""
 
 
 @dataclass(frozen=True)
@@ -65,7 +55,7 @@ class Kernel:
 
     @property
     def wanted(self) -> list[str]:
-        return [name for entry in self.outputs for name in free_names(entry.symbol)]
+        return [name for entry in self.outputs for name in free_names(entry.symbols)]
 
 
 def core_shape(symbol: Basic) -> tuple[int, ...]:

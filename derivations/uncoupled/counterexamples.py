@@ -35,13 +35,11 @@ from derivations.uncoupled.geometry import LIMBS, a, base_i, base_j, c, m1, n1, 
 from derivations.uncoupled.singularity import central, orientation, singularity_graph, wrist
 from derivations.uncoupled.velocity import axis, heading, screw
 
-N2, N3 = vector("n2"), vector("n3")
+N2 = vector("n2")
 MIDDLE = Cross(Cross(n1, N2), n1)
-E1, E2, E3 = (scalar(f"e{i}") for i in LIMBS)
-B1, D1 = vector("b1"), vector("d1")
+E1, B1 = scalar("e1"), vector("b1")
 #: 3/5 and 4/5: an angle of which sine and cosine are rational.
 SHORT, LONG = Rational(3, 5), Rational(4, 5)
-Rotation = tuple[ImmutableDenseMatrix, ImmutableDenseMatrix, ImmutableDenseMatrix]
 Facts = dict[str, Expr]
 
 

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import Any
 
 import numpy as np
@@ -11,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import InputError
 from kleinform.generated import kernels
 from kleinform.pose import Pose, check_pose
-from kleinform.results import Jacobians, Screws, Singularity, Survey
+from kleinform.results import Jacobians, Screws, Singularity, Survey, factors_by_name
 from kleinform.screening import (
     SMALLEST,
     Errors,
@@ -332,8 +331,8 @@ class UncoupledManipulator:
             extension=result.extension,
             inverse_determinant=result.inverse_determinant[()],
             direct_determinant=result.direct_determinant[()],
-            factors=_by_name(result, names, ""),
-            scales=_by_name(result, names, "_scale"),
+            factors=factors_by_name(result, names, ""),
+            scales=factors_by_name(result, names, "_scale"),
             rounding=self.rounding,
             valid=pose.screen.valid,
         )
@@ -342,8 +341,8 @@ class UncoupledManipulator:
         pose.screen.blank(*result)
         return Singularity(
             determinant=result.determinant[()],
-            factors=_by_name(result, names, ""),
-            scales=_by_name(result, names, "_scale"),
+            factors=factors_by_name(result, names, ""),
+            scales=factors_by_name(result, names, "_scale"),
             rounding=self.rounding,
             valid=pose.screen.valid,
         )
@@ -375,15 +374,3 @@ class UncoupledManipulator:
         positions, rotations = track(self.radius, joints, start_rotation)
         refuse_crossings(self.direct_singularity(positions, rotations))
         return positions, rotations
-
-
-def _by_name(result: Any, names: tuple[str, ...], suffix: str) -> Mapping[str, Array]:
-    """A kernel's factors by name; those of limbs become ``name_1``, ``name_2``, ``name_3``."""
-    named = {}
-    for name in names:
-        value = getattr(result, name + suffix)
-        if name in ("limb", "extension"):
-            named.update({f"{name}_{i + 1}": value[..., i][()] for i in range(3)})
-        else:
-            named[name] = value[()]
-    return named

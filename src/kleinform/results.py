@@ -4,14 +4,14 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.errors import InputError
 
-__all__ = ["Jacobians", "Screws", "Singularity", "Survey"]
+__all__ = ["Jacobians", "Screws", "Singularity", "Survey", "factors_by_name"]
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -122,3 +122,15 @@ class Survey(_Factors):
     scales: Mapping[str, Array]
     rounding: float
     valid: Mask
+
+
+def factors_by_name(result: Any, names: tuple[str, ...], suffix: str) -> Mapping[str, Array]:
+    """A kernel's factors by name; those of limbs become ``name_1``, ``name_2``, ``name_3``."""
+    named = {}
+    for name in names:
+        value = getattr(result, name + suffix)
+        if name in ("limb", "extension"):
+            named.update({f"{name}_{i + 1}": value[..., i][()] for i in range(3)})
+        else:
+            named[name] = value[()]
+    return named

@@ -9,7 +9,7 @@ from sympy import Basic, Expr, ImmutableDenseMatrix, Mul, S
 from sympy.printing.precedence import PRECEDENCE
 from sympy.printing.str import StrPrinter
 
-from derivations.codegen.kernel import Input, Output
+from derivations.codegen.kernel import Field, Input
 from derivations.codegen.lower import Program
 
 __all__ = ["PythonExpressions", "comment_lines", "docstring", "entries", "result_class"]
@@ -88,7 +88,7 @@ def docstring(program: Program, shape_of: str) -> str:
     """A NumPy-style docstring: shapes, units and where the equations stand in the paper."""
     kernel = program.kernel
 
-    def section(title: str, fields: Iterable[Input | Output]) -> list[str]:
+    def section(title: str, fields: Iterable[Field]) -> list[str]:
         lines = [title, "-" * len(title)]
         for field in fields:
             lines += [f"{field.name} : {shape_of} {shape_text(field.shape)}"]
