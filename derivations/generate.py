@@ -12,7 +12,7 @@ from zlib import crc32
 import sympy
 
 from derivations.codegen.lower import Program, lower, prove_lowering
-from derivations.codegen.printers import mpmath, numpy
+from derivations.codegen.printers import arb, mpmath, numpy
 from derivations.codegen.printers.python import class_name
 from derivations.codegen.tree import SCHEMA, manifest
 from derivations.sources import equation_sources, numbers_in, printed_equation, source_of
@@ -119,6 +119,7 @@ def _package(programs: tuple[Program, ...]) -> dict[str, str]:
         ),
         "uncoupled/numpy_kernels.py": numpy.print_module(list(programs)),
         "uncoupled/mpmath_kernels.py": mpmath.print_module(list(programs)),
+        "uncoupled/arb_kernels.py": arb.print_module(list(programs)),
     }
     files = {name: NOTICE + text for name, text in modules.items()}
     return files | {"__init__.py": NOTICE + _root(files), "py.typed": ""}

@@ -6,8 +6,21 @@ from sympy import ImmutableDenseMatrix
 
 from derivations.algebra.vectors import Columns, Rows, matrix, scalar, vector
 from derivations.codegen.kernel import Input, Kernel, Output
+from derivations.uncoupled.circles import ANGLE, CONE, FIRST, SECOND, STARTS, arms_graph, circles_graph
 from derivations.uncoupled.closure import LENGTHS, closure_graph
+from derivations.uncoupled.correction import cones_graph, fold_graph, newton_graph, turn, volume
 from derivations.uncoupled.displacement import central_graph, lam, pose_graph, q4, q5, q6, r
+from derivations.uncoupled.eliminant import (
+    cosine,
+    eliminant,
+    eliminant_graph,
+    frame,
+    reference,
+    sine,
+    turn_graph,
+    x,
+    y,
+)
 from derivations.uncoupled.geometry import LIMBS, a, c, m1, n1, nu
 from derivations.uncoupled.orientation import (
     ROTATION,
@@ -42,6 +55,10 @@ HEADING = Input(
     "heading", heading, "m", "horizontal vector at azimuth q4: (c_x, c_y) off the Z axis"
 )
 TWIST = Input("twist", Rows(omega, velocity), "rad/s, m/s", "[omega, v_C]")
+
+LENGTHS_IN = Input("lengths", ImmutableDenseMatrix(LENGTHS), "m", "q1, q2, q3")
+DIRECTIONS = Rows(n1, vector("n2"))
+DIRECTIONS_IN = Input("directions", DIRECTIONS, "1", "n_1 and n_2, a row each")
 
 RADIAL = Output("radial", r, "m", "distance of C from the Z axis")
 LENGTH = Output("central_length", q6, "m", "distance from O to C")
@@ -116,14 +133,130 @@ def displacement_kernels() -> list[Kernel]:
             (
                 RADIUS,
                 POSITION,
-                Input("lengths", ImmutableDenseMatrix(LENGTHS), "m", "q1, q2, q3"),
-                Input("directions", Rows(n1, vector("n2")), "1", "n_1 and n_2, a row each"),
+                LENGTHS_IN,
+                DIRECTIONS_IN,
             ),
             (
                 Output(
                     "residual", matrix("F", 6, 1), "m², 1", "three cones, three unit conditions"
                 ),
                 Output("jacobian", matrix("dF", 6, 6), "m², 1", "by (n_1, n_2)"),
+            ),
+        ),
+    ]
+
+
+def forward_kernels() -> list[Kernel]:
+    """Section III, the forward displacement: two reductions, and Newton on rotations."""
+    joints = ImmutableDenseMatrix([*LENGTHS, q4, q5, q6])
+    leg = (
+        Input("angle", ImmutableDenseMatrix([cosine, sine]), "1", "cos, sin of leg 1's angle"),
+        Input("reference", reference, "1", "a vector not parallel to n_1"),
+    )
+    closed = (
+        Output("residual", matrix("F", 3, 1), "m²", "F_1, F_2, F_3"),
+        Output("gradient", matrix("G", 3, 3), "m²", "of F_i by a turn, a row each"),
+        Output("volume", volume, "m⁶", "determinant of the gradient"),
+    )
+    return [
+        Kernel(
+            "cones",
+            "The closure equations as quadratic cones, F_i = n_iᵀ M_i n_i.",
+            "(6)",
+            cones_graph(),
+            (RADIUS, POSITION, LENGTHS_IN),
+            tuple(
+                Output(f"cone_{i}", matrix(f"M{i}", 3, 3), "m²", f"M_{i}, symmetric")
+                for i in LIMBS
+            ),
+        ),
+        Kernel(
+            "eliminant",
+            "The resultant that vanishes at the angles of leg 1 of the assembly modes.",
+            "(5), (6)",
+            eliminant_graph(),
+            (RADIUS, POSITION, LENGTHS_IN, *leg),
+            (
+                Output("eliminant", eliminant, "m¹⁶", "resultant of the quartics of limbs 2, 3"),
+                Output("bound", scalar("bound"), "m¹⁶", "Hadamard's bound on it"),
+            ),
+        ),
+        Kernel(
+            "half_turn",
+            "The turn about n_1 at a zero of the eliminant, as a half angle.",
+            "(5), (6)",
+            eliminant_graph(),
+            (RADIUS, POSITION, LENGTHS_IN, *leg),
+            (
+                Output("frame", frame, "1", "n_1, f, g, a row each"),
+                Output("powers", matrix("powers", 2, 4), "m¹²", "along x³, x²y, xy², y³ twice"),
+            ),
+        ),
+        Kernel(
+            "turned_directions",
+            "n_1 and n_2 from the frame about n_1 and the half angle of the turn.",
+            "(5)",
+            turn_graph(),
+            (
+                Input("frame", frame, "1", "n_1, f, g, a row each"),
+                Input("half_angle", ImmutableDenseMatrix([x, y]), "1", "(x, y), any length"),
+            ),
+            (Output("directions", DIRECTIONS, "1", "n_1 and n_2, a row each"),),
+        ),
+        Kernel(
+            "circles",
+            "Two equations in the half angles t, s of legs 1 and 2: entry [k, l] is at t^k s^l.",
+            "(5), (6)",
+            circles_graph(),
+            (
+                RADIUS,
+                POSITION,
+                LENGTHS_IN,
+                Input("start", STARTS, "1", "cos, sin of the angles of legs 1, 2 at t = s = 0"),
+            ),
+            (
+                Output("angle", ANGLE, "m⁴", "n_1 and n_2 are 120° apart"),
+                Output("cone", CONE, "m⁶", "limb 3 closes"),
+                Output("first", FIRST, "m", "(1 + t²)(b_1 − c) at 1, t, t², a row each"),
+                Output("second", SECOND, "m", "(1 + s²)(b_2 − c) at 1, s, s², a row each"),
+            ),
+        ),
+        Kernel(
+            "arms",
+            "The directions to B_1 and B_2 at half angles t, s of legs 1 and 2.",
+            "(3)",
+            arms_graph(),
+            (
+                RADIUS,
+                POSITION,
+                LENGTHS_IN,
+                Input("start", STARTS, "1", "cos, sin of the angles of legs 1, 2 at t = s = 0"),
+                Input("half_tangents", ImmutableDenseMatrix([scalar("t"), scalar("s")]), "1", "t, s"),
+            ),
+            (Output("arms", matrix("arms", 2, 3), "m", "from C to B_1 and B_2, a row each"),),
+        ),
+        Kernel(
+            "newton_step",
+            "One step of Newton's method on the rotation, for the three closure equations.",
+            "(6)",
+            newton_graph(),
+            (RADIUS, POSITION, LENGTHS_IN, DIRECTIONS_IN),
+            (
+                Output("next", Rows(vector("next1"), vector("next2")), "1", "n_1, n_2 turned"),
+                Output("turn", turn, "rad", "the step, a rotation vector"),
+                *closed,
+            ),
+        ),
+        Kernel(
+            "fold",
+            "What decides whether two assembly modes have merged.",
+            "(6)",
+            fold_graph(),
+            (RADIUS, Input("joints", joints, "m, rad", "q1 ... q6"), DIRECTIONS_IN),
+            (
+                *closed,
+                Output("volume_gradient", vector("dvolume"), "m⁶", "of the volume by a turn"),
+                Output("by_joints", matrix("qF", 3, 6), "m²", "of F_i by the logarithm of q_j"),
             ),
         ),
     ]
@@ -320,6 +453,7 @@ def kernels() -> list[Kernel]:
     """Every kernel, in the order of the paper."""
     return [
         *displacement_kernels(),
+        *forward_kernels(),
         *orientation_kernels(),
         *velocity_kernels(),
         *singularity_kernels(),

@@ -505,6 +505,1740 @@ def _closure(
     out_jacobian[5, 5] = n1_z
 
 
+class Cones(NamedTuple):
+    """What `cones` returns."""
+
+    cone_1: Array
+    cone_2: Array
+    cone_3: Array
+
+
+def cones(a: ArrayLike, c: ArrayLike, lengths: ArrayLike) -> Cones:
+    """The closure equations as quadratic cones, F_i = n_iᵀ M_i n_i.
+
+    Equations (6) of the paper; base frame.
+    79 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    lengths : array (..., 3)
+        q1, q2, q3 [m]
+
+    Returns
+    -------
+    cone_1 : array (..., 3, 3)
+        M_1, symmetric [m²]
+    cone_2 : array (..., 3, 3)
+        M_2, symmetric [m²]
+    cone_3 : array (..., 3, 3)
+        M_3, symmetric [m²]
+    """
+    return Cones(
+        *apply(
+            _cones,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("lengths", lengths, (3,)),
+            ),
+            (
+                (3, 3),
+                (3, 3),
+                (3, 3),
+            ),
+        )
+    )
+
+
+def _cones(
+    out_cone_1: Array,
+    out_cone_2: Array,
+    out_cone_3: Array,
+    a: Array,
+    c: Array,
+    lengths: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # cone of limb 1: F_1 = n_1ᵀ M_1 n_1 (6) [m²]
+    M1_11 = (c_y*c_y) + (c_z*c_z) - (q1*q1)
+    x0 = c_y*h1
+    M1_12 = x0
+    x1 = c_z*h1
+    M1_13 = x1
+    M1_21 = x0
+    x2 = (h1*h1)
+    M1_22 = x2
+    M1_31 = x1
+    M1_33 = x2
+    x3 = SQRT3_2*c_y
+    x4 = 0.5*c_x
+    x5 = a + x4
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x3 + x5
+    x6 = 0.25*c_y
+    x7 = SQRT3_2*x4
+    # gt_i = ht_i · n_i [m]
+    ht2_x = -SQRT3_2*h2 + x6 + x7
+    x8 = 0.5*c_y
+    x9 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x8 - x9) - 0.5*h2
+    x10 = -0.5*c_z
+    # gz_i = hz_i · n_i [m]
+    hz2_x = x10
+    x11 = SQRT3_2*c_z
+    hz2_y = x11
+    x12 = (q2*q2)
+    # cone of limb 2: F_2 = n_2ᵀ M_2 n_2 (6) [m²]
+    M2_11 = (ht2_x*ht2_x) + (hz2_x*hz2_x) - 0.25*x12
+    x13 = 0.5*SQRT3_2
+    x14 = ht2_x*ht2_y + hz2_x*hz2_y + x12*x13
+    M2_12 = x14
+    x15 = h2*hz2_x
+    M2_13 = x15
+    M2_21 = x14
+    M2_22 = (ht2_y*ht2_y) + (hz2_y*hz2_y) - 0.75*x12
+    x16 = h2*hz2_y
+    M2_23 = x16
+    M2_31 = x15
+    M2_32 = x16
+    M2_33 = (h2*h2)
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x3 + x5
+    # gt_i = ht_i · n_i [m]
+    ht3_x = SQRT3_2*h3 + x6 - x7
+    ht3_y = -SQRT3_2*(-x8 + x9) - 0.5*h3
+    # gz_i = hz_i · n_i [m]
+    hz3_x = x10
+    hz3_y = -x11
+    x17 = (q3*q3)
+    # cone of limb 3: F_3 = n_3ᵀ M_3 n_3 (6) [m²]
+    M3_11 = (ht3_x*ht3_x) + (hz3_x*hz3_x) - 0.25*x17
+    x18 = ht3_x*ht3_y + hz3_x*hz3_y - x13*x17
+    M3_12 = x18
+    x19 = h3*hz3_x
+    M3_13 = x19
+    M3_21 = x18
+    M3_22 = (ht3_y*ht3_y) + (hz3_y*hz3_y) - 0.75*x17
+    x20 = h3*hz3_y
+    M3_23 = x20
+    M3_31 = x19
+    M3_32 = x20
+    M3_33 = (h3*h3)
+    out_cone_1[0, 0] = M1_11
+    out_cone_1[0, 1] = M1_12
+    out_cone_1[0, 2] = M1_13
+    out_cone_1[1, 0] = M1_21
+    out_cone_1[1, 1] = M1_22
+    out_cone_1[2, 0] = M1_31
+    out_cone_1[2, 2] = M1_33
+    out_cone_2[0, 0] = M2_11
+    out_cone_2[0, 1] = M2_12
+    out_cone_2[0, 2] = M2_13
+    out_cone_2[1, 0] = M2_21
+    out_cone_2[1, 1] = M2_22
+    out_cone_2[1, 2] = M2_23
+    out_cone_2[2, 0] = M2_31
+    out_cone_2[2, 1] = M2_32
+    out_cone_2[2, 2] = M2_33
+    out_cone_3[0, 0] = M3_11
+    out_cone_3[0, 1] = M3_12
+    out_cone_3[0, 2] = M3_13
+    out_cone_3[1, 0] = M3_21
+    out_cone_3[1, 1] = M3_22
+    out_cone_3[1, 2] = M3_23
+    out_cone_3[2, 0] = M3_31
+    out_cone_3[2, 1] = M3_32
+    out_cone_3[2, 2] = M3_33
+
+
+class Eliminant(NamedTuple):
+    """What `eliminant` returns."""
+
+    eliminant: Array
+    bound: Array
+
+
+def eliminant(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, angle: ArrayLike, reference: ArrayLike) -> Eliminant:
+    """The resultant that vanishes at the angles of leg 1 of the assembly modes.
+
+    Equations (5), (6) of the paper; base frame.
+    376 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    lengths : array (..., 3)
+        q1, q2, q3 [m]
+    angle : array (..., 2)
+        cos, sin of leg 1's angle [1]
+    reference : array (..., 3)
+        a vector not parallel to n_1 [1]
+
+    Returns
+    -------
+    eliminant : array (...)
+        resultant of the quartics of limbs 2, 3 [m¹⁶]
+    bound : array (...)
+        Hadamard's bound on it [m¹⁶]
+    """
+    return Eliminant(
+        *apply(
+            _eliminant,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("lengths", lengths, (3,)),
+                ("angle", angle, (2,)),
+                ("reference", reference, (3,)),
+            ),
+            (
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _eliminant(
+    out_eliminant: Array,
+    out_bound: Array,
+    a: Array,
+    c: Array,
+    lengths: Array,
+    angle: Array,
+    reference: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    cos_theta, sin_theta = angle
+    reference_x, reference_y, reference_z = reference
+    # from C to B_1, leg 1 at the angle theta [m]
+    arm_x = a - c_x
+    arm_y = -c_y + cos_theta*q1
+    arm_z = -c_z + q1*sin_theta
+    x0 = 1.0/(sqrt((arm_x*arm_x) + (arm_y*arm_y) + (arm_z*arm_z)))
+    # direction from C to B_1 (3) [1]
+    n1_x = arm_x*x0
+    n1_y = arm_y*x0
+    n1_z = arm_z*x0
+    x1 = -n1_y*reference_z + n1_z*reference_y
+    x2 = -n1_x*reference_y + n1_y*reference_x
+    x3 = n1_x*reference_z - n1_z*reference_x
+    x4 = 1.0/(sqrt((x1*x1) + (x2*x2) + (x3*x3)))
+    # a unit vector normal to n_1 [1]
+    f_x = x1*x4
+    f_y = x3*x4
+    f_z = x2*x4
+    # completes the frame [n_1, f, g] [1]
+    g_x = -f_y*n1_z + f_z*n1_y
+    g_y = f_x*n1_z - f_z*n1_x
+    g_z = -f_x*n1_y + f_y*n1_x
+    x5 = SQRT3_2*c_y
+    x6 = 0.5*c_x
+    x7 = a + x6
+    # distance of C from the plane of the limb (4) [1]
+    h2 = -x5 + x7
+    x8 = 0.25*c_y
+    x9 = SQRT3_2*x6
+    # gt_i = ht_i · n_i [m]
+    ht2_x = -SQRT3_2*h2 + x8 + x9
+    x10 = 0.5*h2
+    x11 = 0.5*c_y
+    x12 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x11 - x12) - x10
+    x13 = -0.5*c_z
+    # gz_i = hz_i · n_i [m]
+    hz2_x = x13
+    x14 = SQRT3_2*c_z
+    hz2_y = x14
+    # p_i q_i = hp_i · n_i [m]
+    hp2_x = -0.5*q2
+    hp2_y = SQRT3_2*q2
+    x15 = SQRT3_2*(f_x*ht2_x + f_y*ht2_y)
+    x16 = 0.5*n1_x
+    x17 = 0.5*n1_y
+    x18 = ht2_x*x16 + ht2_y*x17
+    # coefficients of ht_2 · n_2 at x², xy, y² [m]
+    htx2_x = x15 - x18
+    x19 = 2.0*SQRT3_2
+    htx2_y = x19*(g_x*ht2_x + g_y*ht2_y)
+    htx2_z = -x15 - x18
+    x20 = SQRT3_2*(f_x*hz2_x + f_y*hz2_y + f_z*h2)
+    x21 = hz2_x*x16 + hz2_y*x17 + n1_z*x10
+    # coefficients of hz_2 · n_2 at x², xy, y² [m]
+    hzx2_x = x20 - x21
+    hzx2_y = x19*(g_x*hz2_x + g_y*hz2_y + g_z*h2)
+    hzx2_z = -x20 - x21
+    x22 = SQRT3_2*(f_x*hp2_x + f_y*hp2_y)
+    x23 = hp2_x*x16 + hp2_y*x17
+    # coefficients of hp_2 · n_2 at x², xy, y² [m]
+    hpx2_x = x22 - x23
+    hpx2_y = x19*(g_x*hp2_x + g_y*hp2_y)
+    hpx2_z = -x22 - x23
+    # coefficients of F_2 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    K2_1 = -(hpx2_x*hpx2_x) + (htx2_x*htx2_x) + (hzx2_x*hzx2_x)
+    x24 = 2.0*hpx2_x
+    x25 = 2.0*htx2_x
+    x26 = 2.0*hzx2_x
+    K2_2 = -hpx2_y*x24 + htx2_y*x25 + hzx2_y*x26
+    K2_3 = -(hpx2_y*hpx2_y) - hpx2_z*x24 + (htx2_y*htx2_y) + htx2_z*x25 + (hzx2_y*hzx2_y) + hzx2_z*x26
+    K2_4 = -2.0*hpx2_y*hpx2_z + 2.0*htx2_y*htx2_z + 2.0*hzx2_y*hzx2_z
+    K2_5 = -(hpx2_z*hpx2_z) + (htx2_z*htx2_z) + (hzx2_z*hzx2_z)
+    # distance of C from the plane of the limb (4) [1]
+    h3 = x5 + x7
+    # gt_i = ht_i · n_i [m]
+    ht3_x = SQRT3_2*h3 + x8 - x9
+    x27 = 0.5*h3
+    ht3_y = -SQRT3_2*(-x11 + x12) - x27
+    # gz_i = hz_i · n_i [m]
+    hz3_x = x13
+    hz3_y = -x14
+    # p_i q_i = hp_i · n_i [m]
+    hp3_x = -0.5*q3
+    hp3_y = -SQRT3_2*q3
+    x28 = SQRT3_2*(f_x*ht3_x + f_y*ht3_y)
+    x29 = ht3_x*x16 + ht3_y*x17
+    # coefficients of ht_3 · n_3 at x², xy, y² [m]
+    htx3_x = -x28 - x29
+    htx3_y = -x19*(g_x*ht3_x + g_y*ht3_y)
+    htx3_z = x28 - x29
+    x30 = SQRT3_2*(f_x*hz3_x + f_y*hz3_y + f_z*h3)
+    x31 = hz3_x*x16 + hz3_y*x17 + n1_z*x27
+    # coefficients of hz_3 · n_3 at x², xy, y² [m]
+    hzx3_x = -x30 - x31
+    hzx3_y = -x19*(g_x*hz3_x + g_y*hz3_y + g_z*h3)
+    hzx3_z = x30 - x31
+    x32 = SQRT3_2*(f_x*hp3_x + f_y*hp3_y)
+    x33 = hp3_x*x16 + hp3_y*x17
+    # coefficients of hp_3 · n_3 at x², xy, y² [m]
+    hpx3_x = -x32 - x33
+    hpx3_y = -x19*(g_x*hp3_x + g_y*hp3_y)
+    hpx3_z = x32 - x33
+    # coefficients of F_3 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    K3_1 = -(hpx3_x*hpx3_x) + (htx3_x*htx3_x) + (hzx3_x*hzx3_x)
+    x34 = 2.0*hpx3_x
+    x35 = 2.0*htx3_x
+    x36 = 2.0*hzx3_x
+    K3_2 = -hpx3_y*x34 + htx3_y*x35 + hzx3_y*x36
+    K3_3 = -(hpx3_y*hpx3_y) - hpx3_z*x34 + (htx3_y*htx3_y) + htx3_z*x35 + (hzx3_y*hzx3_y) + hzx3_z*x36
+    K3_4 = -2.0*hpx3_y*hpx3_z + 2.0*htx3_y*htx3_z + 2.0*hzx3_y*hzx3_z
+    K3_5 = -(hpx3_z*hpx3_z) + (htx3_z*htx3_z) + (hzx3_z*hzx3_z)
+    # Bezoutian of the two quartics [m⁴]
+    Z_11 = K2_1*K3_2 - K2_2*K3_1
+    x37 = K2_1*K3_3 - K2_3*K3_1
+    Z_12 = x37
+    x38 = K2_1*K3_4 - K2_4*K3_1
+    Z_13 = x38
+    x39 = K2_1*K3_5 - K2_5*K3_1
+    Z_14 = x39
+    Z_21 = x37
+    Z_22 = K2_2*K3_3 - K2_3*K3_2 + x38
+    x40 = K2_2*K3_4 - K2_4*K3_2 + x39
+    Z_23 = x40
+    x41 = K2_2*K3_5 - K2_5*K3_2
+    Z_24 = x41
+    Z_31 = x38
+    Z_32 = x40
+    Z_33 = K2_3*K3_4 - K2_4*K3_3 + x41
+    x42 = K2_3*K3_5 - K2_5*K3_3
+    Z_34 = x42
+    Z_41 = x39
+    Z_42 = x41
+    Z_43 = x42
+    Z_44 = K2_4*K3_5 - K2_5*K3_4
+    # minors of rows 1 and 2 of Z [m⁸]
+    upper_x = Z_11*Z_22 - Z_12*Z_21
+    upper_y = Z_11*Z_23 - Z_13*Z_21
+    upper_z = Z_11*Z_24 - Z_14*Z_21
+    upper_ox = Z_12*Z_23 - Z_13*Z_22
+    upper_oy = Z_12*Z_24 - Z_14*Z_22
+    upper_oz = Z_13*Z_24 - Z_14*Z_23
+    # minors of rows 3 and 4 of Z [m⁸]
+    lower_x = Z_31*Z_42 - Z_32*Z_41
+    lower_y = Z_31*Z_43 - Z_33*Z_41
+    lower_z = Z_31*Z_44 - Z_34*Z_41
+    lower_ox = Z_32*Z_43 - Z_33*Z_42
+    lower_oy = Z_32*Z_44 - Z_34*Z_42
+    lower_oz = Z_33*Z_44 - Z_34*Z_43
+    # resultant of the two quartics, det Z [m¹⁶]
+    eliminant = lower_ox*upper_z - lower_oy*upper_y + lower_oz*upper_x + lower_x*upper_oz - lower_y*upper_oy + lower_z*upper_ox
+    # Hadamard's bound on the eliminant: the product of the lengths of the rows of Z [m¹⁶]
+    bound = sqrt((Z_11*Z_11) + (Z_12*Z_12) + (Z_13*Z_13) + (Z_14*Z_14))*sqrt((Z_21*Z_21) + (Z_22*Z_22) + (Z_23*Z_23) + (Z_24*Z_24))*sqrt((Z_31*Z_31) + (Z_32*Z_32) + (Z_33*Z_33) + (Z_34*Z_34))*sqrt((Z_41*Z_41) + (Z_42*Z_42) + (Z_43*Z_43) + (Z_44*Z_44))
+    out_eliminant[...] = eliminant
+    out_bound[...] = bound
+
+
+class HalfTurn(NamedTuple):
+    """What `half_turn` returns."""
+
+    frame: Array
+    powers: Array
+
+
+def half_turn(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, angle: ArrayLike, reference: ArrayLike) -> HalfTurn:
+    """The turn about n_1 at a zero of the eliminant, as a half angle.
+
+    Equations (5), (6) of the paper; base frame.
+    394 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    lengths : array (..., 3)
+        q1, q2, q3 [m]
+    angle : array (..., 2)
+        cos, sin of leg 1's angle [1]
+    reference : array (..., 3)
+        a vector not parallel to n_1 [1]
+
+    Returns
+    -------
+    frame : array (..., 3, 3)
+        n_1, f, g, a row each [1]
+    powers : array (..., 2, 4)
+        along x³, x²y, xy², y³ twice [m¹²]
+    """
+    return HalfTurn(
+        *apply(
+            _half_turn,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("lengths", lengths, (3,)),
+                ("angle", angle, (2,)),
+                ("reference", reference, (3,)),
+            ),
+            (
+                (3, 3),
+                (2, 4),
+            ),
+        )
+    )
+
+
+def _half_turn(
+    out_frame: Array,
+    out_powers: Array,
+    a: Array,
+    c: Array,
+    lengths: Array,
+    angle: Array,
+    reference: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    cos_theta, sin_theta = angle
+    reference_x, reference_y, reference_z = reference
+    # from C to B_1, leg 1 at the angle theta [m]
+    arm_x = a - c_x
+    arm_y = -c_y + cos_theta*q1
+    arm_z = -c_z + q1*sin_theta
+    x0 = 1.0/(sqrt((arm_x*arm_x) + (arm_y*arm_y) + (arm_z*arm_z)))
+    # direction from C to B_1 (3) [1]
+    n1_x = arm_x*x0
+    n1_y = arm_y*x0
+    n1_z = arm_z*x0
+    x1 = -n1_y*reference_z + n1_z*reference_y
+    x2 = -n1_x*reference_y + n1_y*reference_x
+    x3 = n1_x*reference_z - n1_z*reference_x
+    x4 = 1.0/(sqrt((x1*x1) + (x2*x2) + (x3*x3)))
+    # a unit vector normal to n_1 [1]
+    f_x = x1*x4
+    f_y = x3*x4
+    f_z = x2*x4
+    # completes the frame [n_1, f, g] [1]
+    g_x = -f_y*n1_z + f_z*n1_y
+    g_y = f_x*n1_z - f_z*n1_x
+    g_z = -f_x*n1_y + f_y*n1_x
+    x5 = SQRT3_2*c_y
+    x6 = 0.5*c_x
+    x7 = a + x6
+    # distance of C from the plane of the limb (4) [1]
+    h2 = -x5 + x7
+    x8 = 0.25*c_y
+    x9 = SQRT3_2*x6
+    # gt_i = ht_i · n_i [m]
+    ht2_x = -SQRT3_2*h2 + x8 + x9
+    x10 = 0.5*h2
+    x11 = 0.5*c_y
+    x12 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x11 - x12) - x10
+    x13 = -0.5*c_z
+    # gz_i = hz_i · n_i [m]
+    hz2_x = x13
+    x14 = SQRT3_2*c_z
+    hz2_y = x14
+    # p_i q_i = hp_i · n_i [m]
+    hp2_x = -0.5*q2
+    hp2_y = SQRT3_2*q2
+    x15 = SQRT3_2*(f_x*ht2_x + f_y*ht2_y)
+    x16 = 0.5*n1_x
+    x17 = 0.5*n1_y
+    x18 = ht2_x*x16 + ht2_y*x17
+    # coefficients of ht_2 · n_2 at x², xy, y² [m]
+    htx2_x = x15 - x18
+    x19 = 2.0*SQRT3_2
+    htx2_y = x19*(g_x*ht2_x + g_y*ht2_y)
+    htx2_z = -x15 - x18
+    x20 = SQRT3_2*(f_x*hz2_x + f_y*hz2_y + f_z*h2)
+    x21 = hz2_x*x16 + hz2_y*x17 + n1_z*x10
+    # coefficients of hz_2 · n_2 at x², xy, y² [m]
+    hzx2_x = x20 - x21
+    hzx2_y = x19*(g_x*hz2_x + g_y*hz2_y + g_z*h2)
+    hzx2_z = -x20 - x21
+    x22 = SQRT3_2*(f_x*hp2_x + f_y*hp2_y)
+    x23 = hp2_x*x16 + hp2_y*x17
+    # coefficients of hp_2 · n_2 at x², xy, y² [m]
+    hpx2_x = x22 - x23
+    hpx2_y = x19*(g_x*hp2_x + g_y*hp2_y)
+    hpx2_z = -x22 - x23
+    # coefficients of F_2 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    K2_1 = -(hpx2_x*hpx2_x) + (htx2_x*htx2_x) + (hzx2_x*hzx2_x)
+    x24 = 2.0*hpx2_x
+    x25 = 2.0*htx2_x
+    x26 = 2.0*hzx2_x
+    K2_2 = -hpx2_y*x24 + htx2_y*x25 + hzx2_y*x26
+    K2_3 = -(hpx2_y*hpx2_y) - hpx2_z*x24 + (htx2_y*htx2_y) + htx2_z*x25 + (hzx2_y*hzx2_y) + hzx2_z*x26
+    K2_4 = -2.0*hpx2_y*hpx2_z + 2.0*htx2_y*htx2_z + 2.0*hzx2_y*hzx2_z
+    K2_5 = -(hpx2_z*hpx2_z) + (htx2_z*htx2_z) + (hzx2_z*hzx2_z)
+    # distance of C from the plane of the limb (4) [1]
+    h3 = x5 + x7
+    # gt_i = ht_i · n_i [m]
+    ht3_x = SQRT3_2*h3 + x8 - x9
+    x27 = 0.5*h3
+    ht3_y = -SQRT3_2*(-x11 + x12) - x27
+    # gz_i = hz_i · n_i [m]
+    hz3_x = x13
+    hz3_y = -x14
+    # p_i q_i = hp_i · n_i [m]
+    hp3_x = -0.5*q3
+    hp3_y = -SQRT3_2*q3
+    x28 = SQRT3_2*(f_x*ht3_x + f_y*ht3_y)
+    x29 = ht3_x*x16 + ht3_y*x17
+    # coefficients of ht_3 · n_3 at x², xy, y² [m]
+    htx3_x = -x28 - x29
+    htx3_y = -x19*(g_x*ht3_x + g_y*ht3_y)
+    htx3_z = x28 - x29
+    x30 = SQRT3_2*(f_x*hz3_x + f_y*hz3_y + f_z*h3)
+    x31 = hz3_x*x16 + hz3_y*x17 + n1_z*x27
+    # coefficients of hz_3 · n_3 at x², xy, y² [m]
+    hzx3_x = -x30 - x31
+    hzx3_y = -x19*(g_x*hz3_x + g_y*hz3_y + g_z*h3)
+    hzx3_z = x30 - x31
+    x32 = SQRT3_2*(f_x*hp3_x + f_y*hp3_y)
+    x33 = hp3_x*x16 + hp3_y*x17
+    # coefficients of hp_3 · n_3 at x², xy, y² [m]
+    hpx3_x = -x32 - x33
+    hpx3_y = -x19*(g_x*hp3_x + g_y*hp3_y)
+    hpx3_z = x32 - x33
+    # coefficients of F_3 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    K3_1 = -(hpx3_x*hpx3_x) + (htx3_x*htx3_x) + (hzx3_x*hzx3_x)
+    x34 = 2.0*hpx3_x
+    x35 = 2.0*htx3_x
+    x36 = 2.0*hzx3_x
+    K3_2 = -hpx3_y*x34 + htx3_y*x35 + hzx3_y*x36
+    K3_3 = -(hpx3_y*hpx3_y) - hpx3_z*x34 + (htx3_y*htx3_y) + htx3_z*x35 + (hzx3_y*hzx3_y) + hzx3_z*x36
+    K3_4 = -2.0*hpx3_y*hpx3_z + 2.0*htx3_y*htx3_z + 2.0*hzx3_y*hzx3_z
+    K3_5 = -(hpx3_z*hpx3_z) + (htx3_z*htx3_z) + (hzx3_z*hzx3_z)
+    # Bezoutian of the two quartics [m⁴]
+    Z_11 = K2_1*K3_2 - K2_2*K3_1
+    Z_12 = K2_1*K3_3 - K2_3*K3_1
+    x37 = K2_1*K3_4 - K2_4*K3_1
+    Z_13 = x37
+    x38 = K2_1*K3_5 - K2_5*K3_1
+    Z_14 = x38
+    Z_22 = K2_2*K3_3 - K2_3*K3_2 + x37
+    Z_23 = K2_2*K3_4 - K2_4*K3_2 + x38
+    x39 = K2_2*K3_5 - K2_5*K3_2
+    Z_24 = x39
+    Z_33 = K2_3*K3_4 - K2_4*K3_3 + x39
+    Z_34 = K2_3*K3_5 - K2_5*K3_3
+    Z_44 = K2_4*K3_5 - K2_5*K3_4
+    x40 = (Z_34*Z_34)
+    x41 = (Z_23*Z_23)
+    x42 = (Z_24*Z_24)
+    # rows 1 and 4 of the adjugate of Z [m¹²]
+    powers_11 = Z_22*Z_33*Z_44 - Z_22*x40 + 2.0*Z_23*Z_24*Z_34 - Z_33*x42 - Z_44*x41
+    x43 = Z_24*Z_34
+    x44 = Z_14*Z_34
+    powers_12 = -Z_12*Z_33*Z_44 + Z_12*x40 + Z_13*Z_23*Z_44 - Z_13*x43 + Z_14*Z_24*Z_33 - Z_23*x44
+    powers_13 = Z_12*Z_23*Z_44 - Z_12*x43 - Z_13*Z_22*Z_44 + Z_13*x42 - Z_14*Z_23*Z_24 + Z_22*x44
+    x45 = Z_23*Z_34
+    x46 = Z_13*Z_23
+    x47 = Z_12*Z_24*Z_33 - Z_12*x45 + Z_13*Z_22*Z_34 - Z_14*Z_22*Z_33 + Z_14*x41 - Z_24*x46
+    powers_14 = x47
+    powers_21 = x47
+    x48 = (Z_13*Z_13)
+    x49 = Z_12*Z_13
+    powers_22 = -Z_11*Z_24*Z_33 + Z_11*x45 + Z_12*Z_14*Z_33 - Z_14*x46 + Z_24*x48 - Z_34*x49
+    x50 = (Z_12*Z_12)
+    powers_23 = -Z_11*Z_22*Z_34 + Z_11*Z_23*Z_24 - Z_12*Z_14*Z_23 + Z_13*Z_14*Z_22 - Z_24*x49 + Z_34*x50
+    powers_24 = Z_11*Z_22*Z_33 - Z_11*x41 + 2.0*Z_12*Z_13*Z_23 - Z_22*x48 - Z_33*x50
+    out_frame[0, 0] = n1_x
+    out_frame[0, 1] = n1_y
+    out_frame[0, 2] = n1_z
+    out_frame[1, 0] = f_x
+    out_frame[1, 1] = f_y
+    out_frame[1, 2] = f_z
+    out_frame[2, 0] = g_x
+    out_frame[2, 1] = g_y
+    out_frame[2, 2] = g_z
+    out_powers[0, 0] = powers_11
+    out_powers[0, 1] = powers_12
+    out_powers[0, 2] = powers_13
+    out_powers[0, 3] = powers_14
+    out_powers[1, 0] = powers_21
+    out_powers[1, 1] = powers_22
+    out_powers[1, 2] = powers_23
+    out_powers[1, 3] = powers_24
+
+
+class TurnedDirections(NamedTuple):
+    """What `turned_directions` returns."""
+
+    directions: Array
+
+
+def turned_directions(frame: ArrayLike, half_angle: ArrayLike) -> TurnedDirections:
+    """n_1 and n_2 from the frame about n_1 and the half angle of the turn.
+
+    Equations (5) of the paper; base frame.
+    27 operations.
+
+    Parameters
+    ----------
+    frame : array (..., 3, 3)
+        n_1, f, g, a row each [1]
+    half_angle : array (..., 2)
+        (x, y), any length [1]
+
+    Returns
+    -------
+    directions : array (..., 2, 3)
+        n_1 and n_2, a row each [1]
+    """
+    return TurnedDirections(
+        *apply(
+            _turned_directions,
+            (
+                ("frame", frame, (3, 3)),
+                ("half_angle", half_angle, (2,)),
+            ),
+            (
+                (2, 3),
+            ),
+        )
+    )
+
+
+def _turned_directions(
+    out_directions: Array,
+    frame: Array,
+    half_angle: Array,
+) -> None:
+    (n1_x, n1_y, n1_z), (f_x, f_y, f_z), (g_x, g_y, g_z) = frame
+    x, y = half_angle
+    x0 = (x*x)
+    x1 = (y*y)
+    # square of the half angle's length [1]
+    xy = x0 + x1
+    x2 = 1.0/xy
+    x3 = 2.0*x*x2*y
+    x4 = x2*(x0 - x1)
+    # direction from C to B_2, the platform turned by phi about n_1 (5) [1]
+    n2_x = SQRT3_2*(f_x*x4 + g_x*x3) - 0.5*n1_x
+    n2_y = SQRT3_2*(f_y*x4 + g_y*x3) - 0.5*n1_y
+    n2_z = SQRT3_2*(f_z*x4 + g_z*x3) - 0.5*n1_z
+    out_directions[0, 0] = n1_x
+    out_directions[0, 1] = n1_y
+    out_directions[0, 2] = n1_z
+    out_directions[1, 0] = n2_x
+    out_directions[1, 1] = n2_y
+    out_directions[1, 2] = n2_z
+
+
+class Circles(NamedTuple):
+    """What `circles` returns."""
+
+    angle: Array
+    cone: Array
+    first: Array
+    second: Array
+
+
+def circles(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, start: ArrayLike) -> Circles:
+    """Two equations in the half angles t, s of legs 1 and 2: entry [k, l] is at t^k s^l.
+
+    Equations (5), (6) of the paper; base frame.
+    716 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    lengths : array (..., 3)
+        q1, q2, q3 [m]
+    start : array (..., 2, 2)
+        cos, sin of the angles of legs 1, 2 at t = s = 0 [1]
+
+    Returns
+    -------
+    angle : array (..., 5, 5)
+        n_1 and n_2 are 120° apart [m⁴]
+    cone : array (..., 5, 5)
+        limb 3 closes [m⁶]
+    first : array (..., 3, 3)
+        (1 + t²)(b_1 − c) at 1, t, t², a row each [m]
+    second : array (..., 3, 3)
+        (1 + s²)(b_2 − c) at 1, s, s², a row each [m]
+    """
+    return Circles(
+        *apply(
+            _circles,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("lengths", lengths, (3,)),
+                ("start", start, (2, 2)),
+            ),
+            (
+                (5, 5),
+                (5, 5),
+                (3, 3),
+                (3, 3),
+            ),
+        )
+    )
+
+
+def _circles(
+    out_angle: Array,
+    out_cone: Array,
+    out_first: Array,
+    out_second: Array,
+    a: Array,
+    c: Array,
+    lengths: Array,
+    start: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    (start_11, start_12), (start_21, start_22) = start
+    # from C to A_1 [m]
+    center1_x = a - c_x
+    x0 = -c_y
+    center1_y = x0
+    x1 = -c_z
+    center1_z = x1
+    # direction of leg 1 a quarter turn on [1]
+    up1_y = -start_12
+    x2 = q1*start_11
+    # (1 + t²)(b_1 − c) at 1 [m]
+    v10_y = center1_y + x2
+    x3 = q1*start_12
+    v10_z = center1_z + x3
+    # (1 + t²)(b_1 − c) at t [m]
+    v11_y = 2.0*q1*up1_y
+    v11_z = 2.0*x2
+    # (1 + t²)(b_1 − c) at t² [m]
+    v12_y = center1_y - x2
+    v12_z = center1_z - x3
+    # from C to A_2 [m]
+    center2_x = -0.5*a - c_x
+    center2_y = SQRT3_2*a + x0
+    center2_z = x1
+    # direction of leg 2 at half angle 0 [1]
+    near2_x = -SQRT3_2*start_21
+    near2_y = -0.5*start_21
+    # direction of leg 2 a quarter turn on [1]
+    up2_x = SQRT3_2*start_22
+    up2_y = 0.5*start_22
+    x4 = near2_x*q2
+    # (1 + t²)(b_2 − c) at 1 [m]
+    v20_x = center2_x + x4
+    x5 = near2_y*q2
+    v20_y = center2_y + x5
+    x6 = q2*start_22
+    v20_z = center2_z + x6
+    x7 = 2.0*q2
+    # (1 + t²)(b_2 − c) at t [m]
+    v21_x = up2_x*x7
+    v21_y = up2_y*x7
+    v21_z = start_21*x7
+    # (1 + t²)(b_2 − c) at t² [m]
+    v22_x = center2_x - x4
+    v22_y = center2_y - x5
+    v22_z = center2_z - x6
+    x8 = 0.5*c_x
+    # distance of C from the plane of the limb (4) [1]
+    h3 = SQRT3_2*c_y + a + x8
+    # gt_i = ht_i · n_i [m]
+    ht3_x = SQRT3_2*h3 - SQRT3_2*x8 + 0.25*c_y
+    ht3_y = -SQRT3_2*(SQRT3_2*c_x - 0.5*c_y) - 0.5*h3
+    # gz_i = hz_i · n_i [m]
+    hz3_x = -0.5*c_z
+    hz3_y = -SQRT3_2*c_z
+    # p_i q_i = hp_i · n_i [m]
+    hp3_x = -0.5*q3
+    hp3_y = -SQRT3_2*q3
+    x9 = (center1_x*center1_x)
+    # coefficients of |v_1|² [m²]
+    N1_1 = (v10_y*v10_y) + (v10_z*v10_z) + x9
+    x10 = 2.0*v10_y
+    x11 = 2.0*v10_z
+    N1_2 = v11_y*x10 + v11_z*x11
+    N1_3 = (v11_y*v11_y) + (v11_z*v11_z) + v12_y*x10 + v12_z*x11 + 2.0*x9
+    N1_4 = 2.0*v11_y*v12_y + 2.0*v11_z*v12_z
+    N1_5 = (v12_y*v12_y) + (v12_z*v12_z) + x9
+    x12 = center1_x*ht3_x
+    # coefficients of ht_3 · v_1 [m²]
+    htv1_x = ht3_y*v10_y + x12
+    htv1_y = ht3_y*v11_y
+    htv1_z = ht3_y*v12_y + x12
+    x13 = center1_x*hz3_x
+    # coefficients of hz_3 · v_1 [m²]
+    hzv1_x = h3*v10_z + hz3_y*v10_y + x13
+    hzv1_y = h3*v11_z + hz3_y*v11_y
+    hzv1_z = h3*v12_z + hz3_y*v12_y + x13
+    x14 = center1_x*hp3_x
+    # coefficients of hp_3 · v_1 [m²]
+    hpv1_x = hp3_y*v10_y + x14
+    hpv1_y = hp3_y*v11_y
+    hpv1_z = hp3_y*v12_y + x14
+    # coefficients of v_1ᵀ M_3 v_1 [m⁴]
+    C1_1 = -(hpv1_x*hpv1_x) + (htv1_x*htv1_x) + (hzv1_x*hzv1_x)
+    x15 = 2.0*hpv1_x
+    x16 = 2.0*htv1_x
+    x17 = 2.0*hzv1_x
+    C1_2 = -hpv1_y*x15 + htv1_y*x16 + hzv1_y*x17
+    C1_3 = -(hpv1_y*hpv1_y) - hpv1_z*x15 + (htv1_y*htv1_y) + htv1_z*x16 + (hzv1_y*hzv1_y) + hzv1_z*x17
+    C1_4 = -2.0*hpv1_y*hpv1_z + 2.0*htv1_y*htv1_z + 2.0*hzv1_y*hzv1_z
+    C1_5 = -(hpv1_z*hpv1_z) + (htv1_z*htv1_z) + (hzv1_z*hzv1_z)
+    # coefficients of |v_2|² [m²]
+    N2_1 = (v20_x*v20_x) + (v20_y*v20_y) + (v20_z*v20_z)
+    x18 = 2.0*v20_x
+    x19 = 2.0*v20_y
+    x20 = 2.0*v20_z
+    N2_2 = v21_x*x18 + v21_y*x19 + v21_z*x20
+    N2_3 = (v21_x*v21_x) + (v21_y*v21_y) + (v21_z*v21_z) + v22_x*x18 + v22_y*x19 + v22_z*x20
+    N2_4 = 2.0*v21_x*v22_x + 2.0*v21_y*v22_y + 2.0*v21_z*v22_z
+    N2_5 = (v22_x*v22_x) + (v22_y*v22_y) + (v22_z*v22_z)
+    # coefficients of ht_3 · v_2 [m²]
+    htv2_x = ht3_x*v20_x + ht3_y*v20_y
+    htv2_y = ht3_x*v21_x + ht3_y*v21_y
+    htv2_z = ht3_x*v22_x + ht3_y*v22_y
+    # coefficients of hz_3 · v_2 [m²]
+    hzv2_x = h3*v20_z + hz3_x*v20_x + hz3_y*v20_y
+    hzv2_y = h3*v21_z + hz3_x*v21_x + hz3_y*v21_y
+    hzv2_z = h3*v22_z + hz3_x*v22_x + hz3_y*v22_y
+    # coefficients of hp_3 · v_2 [m²]
+    hpv2_x = hp3_x*v20_x + hp3_y*v20_y
+    hpv2_y = hp3_x*v21_x + hp3_y*v21_y
+    hpv2_z = hp3_x*v22_x + hp3_y*v22_y
+    # coefficients of v_2ᵀ M_3 v_2 [m⁴]
+    C2_1 = -(hpv2_x*hpv2_x) + (htv2_x*htv2_x) + (hzv2_x*hzv2_x)
+    x21 = 2.0*hpv2_x
+    x22 = 2.0*htv2_x
+    x23 = 2.0*hzv2_x
+    C2_2 = -hpv2_y*x21 + htv2_y*x22 + hzv2_y*x23
+    C2_3 = -(hpv2_y*hpv2_y) - hpv2_z*x21 + (htv2_y*htv2_y) + htv2_z*x22 + (hzv2_y*hzv2_y) + hzv2_z*x23
+    C2_4 = -2.0*hpv2_y*hpv2_z + 2.0*htv2_y*htv2_z + 2.0*hzv2_y*hzv2_z
+    C2_5 = -(hpv2_z*hpv2_z) + (htv2_z*htv2_z) + (hzv2_z*hzv2_z)
+    x24 = center1_x*v20_x
+    # coefficients of v_1 · v_2 [m²]
+    N12_11 = v10_y*v20_y + v10_z*v20_z + x24
+    x25 = center1_x*v21_x
+    N12_12 = v10_y*v21_y + v10_z*v21_z + x25
+    x26 = center1_x*v22_x
+    N12_13 = v10_y*v22_y + v10_z*v22_z + x26
+    N12_21 = v11_y*v20_y + v11_z*v20_z
+    N12_22 = v11_y*v21_y + v11_z*v21_z
+    N12_23 = v11_y*v22_y + v11_z*v22_z
+    N12_31 = v12_y*v20_y + v12_z*v20_z + x24
+    N12_32 = v12_y*v21_y + v12_z*v21_z + x25
+    N12_33 = v12_y*v22_y + v12_z*v22_z + x26
+    # coefficients of v_1ᵀ M_3 v_2 [m⁴]
+    C12_11 = -hpv1_x*hpv2_x + htv1_x*htv2_x + hzv1_x*hzv2_x
+    C12_12 = -hpv1_x*hpv2_y + htv1_x*htv2_y + hzv1_x*hzv2_y
+    C12_13 = -hpv1_x*hpv2_z + htv1_x*htv2_z + hzv1_x*hzv2_z
+    C12_21 = -hpv1_y*hpv2_x + htv1_y*htv2_x + hzv1_y*hzv2_x
+    C12_22 = -hpv1_y*hpv2_y + htv1_y*htv2_y + hzv1_y*hzv2_y
+    C12_23 = -hpv1_y*hpv2_z + htv1_y*htv2_z + hzv1_y*hzv2_z
+    C12_31 = -hpv1_z*hpv2_x + htv1_z*htv2_x + hzv1_z*hzv2_x
+    C12_32 = -hpv1_z*hpv2_y + htv1_z*htv2_y + hzv1_z*hzv2_y
+    C12_33 = -hpv1_z*hpv2_z + htv1_z*htv2_z + hzv1_z*hzv2_z
+    # coefficients of 4 (v_1·v_2)² − |v_1|² |v_2|² (5) [m⁴]
+    angle_11 = 4.0*(N12_11*N12_11) - N1_1*N2_1
+    x27 = 8.0*N12_11
+    angle_12 = N12_12*x27 - N1_1*N2_2
+    angle_13 = 4.0*(N12_12*N12_12) + N12_13*x27 - N1_1*N2_3
+    x28 = 8.0*N12_12
+    angle_14 = N12_13*x28 - N1_1*N2_4
+    angle_15 = 4.0*(N12_13*N12_13) - N1_1*N2_5
+    angle_21 = N12_21*x27 - N1_2*N2_1
+    angle_22 = N12_21*x28 + N12_22*x27 - N1_2*N2_2
+    x29 = 8.0*N12_13
+    angle_23 = N12_21*x29 + N12_22*x28 + N12_23*x27 - N1_2*N2_3
+    angle_24 = N12_22*x29 + N12_23*x28 - N1_2*N2_4
+    angle_25 = N12_23*x29 - N1_2*N2_5
+    angle_31 = 4.0*(N12_21*N12_21) + N12_31*x27 - N1_3*N2_1
+    x30 = 8.0*N12_21
+    angle_32 = N12_22*x30 + N12_31*x28 + N12_32*x27 - N1_3*N2_2
+    angle_33 = 4.0*(N12_22*N12_22) + N12_23*x30 + N12_31*x29 + N12_32*x28 + N12_33*x27 - N1_3*N2_3
+    x31 = 8.0*N12_22
+    angle_34 = N12_23*x31 + N12_32*x29 + N12_33*x28 - N1_3*N2_4
+    angle_35 = 4.0*(N12_23*N12_23) + N12_33*x29 - N1_3*N2_5
+    angle_41 = N12_31*x30 - N1_4*N2_1
+    angle_42 = N12_31*x31 + N12_32*x30 - N1_4*N2_2
+    x32 = 8.0*N12_23
+    angle_43 = N12_31*x32 + N12_32*x31 + N12_33*x30 - N1_4*N2_3
+    angle_44 = N12_32*x32 + N12_33*x31 - N1_4*N2_4
+    angle_45 = N12_33*x32 - N1_4*N2_5
+    angle_51 = 4.0*(N12_31*N12_31) - N1_5*N2_1
+    x33 = 8.0*N12_31
+    angle_52 = N12_32*x33 - N1_5*N2_2
+    angle_53 = 4.0*(N12_32*N12_32) + N12_33*x33 - N1_5*N2_3
+    angle_54 = 8.0*N12_32*N12_33 - N1_5*N2_4
+    angle_55 = 4.0*(N12_33*N12_33) - N1_5*N2_5
+    x34 = 4.0*C12_11
+    # coefficients of |v_2|² v_1ᵀM_3v_1 − 4 (v_1·v_2) v_1ᵀM_3v_2 + |v_1|² v_2ᵀM_3v_2 (6) [m⁶]
+    cone_11 = C1_1*N2_1 + C2_1*N1_1 - N12_11*x34
+    x35 = 4.0*C12_12
+    cone_12 = C1_1*N2_2 + C2_2*N1_1 - N12_11*x35 - N12_12*x34
+    x36 = 4.0*C12_13
+    cone_13 = C1_1*N2_3 + C2_3*N1_1 - N12_11*x36 - N12_12*x35 - N12_13*x34
+    cone_14 = C1_1*N2_4 + C2_4*N1_1 - N12_12*x36 - N12_13*x35
+    cone_15 = C1_1*N2_5 + C2_5*N1_1 - N12_13*x36
+    x37 = 4.0*C12_21
+    cone_21 = C1_2*N2_1 + C2_1*N1_2 - N12_11*x37 - N12_21*x34
+    x38 = 4.0*C12_22
+    cone_22 = C1_2*N2_2 + C2_2*N1_2 - N12_11*x38 - N12_12*x37 - N12_21*x35 - N12_22*x34
+    x39 = 4.0*C12_23
+    cone_23 = C1_2*N2_3 + C2_3*N1_2 - N12_11*x39 - N12_12*x38 - N12_13*x37 - N12_21*x36 - N12_22*x35 - N12_23*x34
+    cone_24 = C1_2*N2_4 + C2_4*N1_2 - N12_12*x39 - N12_13*x38 - N12_22*x36 - N12_23*x35
+    cone_25 = C1_2*N2_5 + C2_5*N1_2 - N12_13*x39 - N12_23*x36
+    x40 = 4.0*C12_31
+    cone_31 = C1_3*N2_1 + C2_1*N1_3 - N12_11*x40 - N12_21*x37 - N12_31*x34
+    x41 = 4.0*C12_32
+    cone_32 = C1_3*N2_2 + C2_2*N1_3 - N12_11*x41 - N12_12*x40 - N12_21*x38 - N12_22*x37 - N12_31*x35 - N12_32*x34
+    x42 = 4.0*C12_33
+    cone_33 = C1_3*N2_3 + C2_3*N1_3 - N12_11*x42 - N12_12*x41 - N12_13*x40 - N12_21*x39 - N12_22*x38 - N12_23*x37 - N12_31*x36 - N12_32*x35 - N12_33*x34
+    cone_34 = C1_3*N2_4 + C2_4*N1_3 - N12_12*x42 - N12_13*x41 - N12_22*x39 - N12_23*x38 - N12_32*x36 - N12_33*x35
+    cone_35 = C1_3*N2_5 + C2_5*N1_3 - N12_13*x42 - N12_23*x39 - N12_33*x36
+    cone_41 = C1_4*N2_1 + C2_1*N1_4 - N12_21*x40 - N12_31*x37
+    cone_42 = C1_4*N2_2 + C2_2*N1_4 - N12_21*x41 - N12_22*x40 - N12_31*x38 - N12_32*x37
+    cone_43 = C1_4*N2_3 + C2_3*N1_4 - N12_21*x42 - N12_22*x41 - N12_23*x40 - N12_31*x39 - N12_32*x38 - N12_33*x37
+    cone_44 = C1_4*N2_4 + C2_4*N1_4 - N12_22*x42 - N12_23*x41 - N12_32*x39 - N12_33*x38
+    cone_45 = C1_4*N2_5 + C2_5*N1_4 - N12_23*x42 - N12_33*x39
+    cone_51 = C1_5*N2_1 + C2_1*N1_5 - N12_31*x40
+    cone_52 = C1_5*N2_2 + C2_2*N1_5 - N12_31*x41 - N12_32*x40
+    cone_53 = C1_5*N2_3 + C2_3*N1_5 - N12_31*x42 - N12_32*x41 - N12_33*x40
+    cone_54 = C1_5*N2_4 + C2_4*N1_5 - N12_32*x42 - N12_33*x41
+    cone_55 = C1_5*N2_5 + C2_5*N1_5 - N12_33*x42
+    out_angle[0, 0] = angle_11
+    out_angle[0, 1] = angle_12
+    out_angle[0, 2] = angle_13
+    out_angle[0, 3] = angle_14
+    out_angle[0, 4] = angle_15
+    out_angle[1, 0] = angle_21
+    out_angle[1, 1] = angle_22
+    out_angle[1, 2] = angle_23
+    out_angle[1, 3] = angle_24
+    out_angle[1, 4] = angle_25
+    out_angle[2, 0] = angle_31
+    out_angle[2, 1] = angle_32
+    out_angle[2, 2] = angle_33
+    out_angle[2, 3] = angle_34
+    out_angle[2, 4] = angle_35
+    out_angle[3, 0] = angle_41
+    out_angle[3, 1] = angle_42
+    out_angle[3, 2] = angle_43
+    out_angle[3, 3] = angle_44
+    out_angle[3, 4] = angle_45
+    out_angle[4, 0] = angle_51
+    out_angle[4, 1] = angle_52
+    out_angle[4, 2] = angle_53
+    out_angle[4, 3] = angle_54
+    out_angle[4, 4] = angle_55
+    out_cone[0, 0] = cone_11
+    out_cone[0, 1] = cone_12
+    out_cone[0, 2] = cone_13
+    out_cone[0, 3] = cone_14
+    out_cone[0, 4] = cone_15
+    out_cone[1, 0] = cone_21
+    out_cone[1, 1] = cone_22
+    out_cone[1, 2] = cone_23
+    out_cone[1, 3] = cone_24
+    out_cone[1, 4] = cone_25
+    out_cone[2, 0] = cone_31
+    out_cone[2, 1] = cone_32
+    out_cone[2, 2] = cone_33
+    out_cone[2, 3] = cone_34
+    out_cone[2, 4] = cone_35
+    out_cone[3, 0] = cone_41
+    out_cone[3, 1] = cone_42
+    out_cone[3, 2] = cone_43
+    out_cone[3, 3] = cone_44
+    out_cone[3, 4] = cone_45
+    out_cone[4, 0] = cone_51
+    out_cone[4, 1] = cone_52
+    out_cone[4, 2] = cone_53
+    out_cone[4, 3] = cone_54
+    out_cone[4, 4] = cone_55
+    out_first[0, 0] = center1_x
+    out_first[0, 1] = v10_y
+    out_first[0, 2] = v10_z
+    out_first[1, 1] = v11_y
+    out_first[1, 2] = v11_z
+    out_first[2, 0] = center1_x
+    out_first[2, 1] = v12_y
+    out_first[2, 2] = v12_z
+    out_second[0, 0] = v20_x
+    out_second[0, 1] = v20_y
+    out_second[0, 2] = v20_z
+    out_second[1, 0] = v21_x
+    out_second[1, 1] = v21_y
+    out_second[1, 2] = v21_z
+    out_second[2, 0] = v22_x
+    out_second[2, 1] = v22_y
+    out_second[2, 2] = v22_z
+
+
+class Arms(NamedTuple):
+    """What `arms` returns."""
+
+    arms: Array
+
+
+def arms(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, start: ArrayLike, half_tangents: ArrayLike) -> Arms:
+    """The directions to B_1 and B_2 at half angles t, s of legs 1 and 2.
+
+    Equations (3) of the paper; base frame.
+    71 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    lengths : array (..., 3)
+        q1, q2, q3 [m]
+    start : array (..., 2, 2)
+        cos, sin of the angles of legs 1, 2 at t = s = 0 [1]
+    half_tangents : array (..., 2)
+        t, s [1]
+
+    Returns
+    -------
+    arms : array (..., 2, 3)
+        from C to B_1 and B_2, a row each [m]
+    """
+    return Arms(
+        *apply(
+            _arms,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("lengths", lengths, (3,)),
+                ("start", start, (2, 2)),
+                ("half_tangents", half_tangents, (2,)),
+            ),
+            (
+                (2, 3),
+            ),
+        )
+    )
+
+
+def _arms(
+    out_arms: Array,
+    a: Array,
+    c: Array,
+    lengths: Array,
+    start: Array,
+    half_tangents: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    (start_11, start_12), (start_21, start_22) = start
+    t, s = half_tangents
+    # from C to A_1 [m]
+    center1_x = a - c_x
+    x0 = -c_y
+    center1_y = x0
+    x1 = -c_z
+    center1_z = x1
+    # direction of leg 1 a quarter turn on [1]
+    up1_y = -start_12
+    x2 = q1*start_11
+    # (1 + t²)(b_1 − c) at 1 [m]
+    v10_y = center1_y + x2
+    x3 = q1*start_12
+    v10_z = center1_z + x3
+    # (1 + t²)(b_1 − c) at t [m]
+    v11_y = 2.0*q1*up1_y
+    v11_z = 2.0*x2
+    # (1 + t²)(b_1 − c) at t² [m]
+    v12_y = center1_y - x2
+    v12_z = center1_z - x3
+    # from C to A_2 [m]
+    center2_x = -0.5*a - c_x
+    center2_y = SQRT3_2*a + x0
+    center2_z = x1
+    # direction of leg 2 at half angle 0 [1]
+    near2_x = -SQRT3_2*start_21
+    near2_y = -0.5*start_21
+    # direction of leg 2 a quarter turn on [1]
+    up2_x = SQRT3_2*start_22
+    up2_y = 0.5*start_22
+    x4 = near2_x*q2
+    # (1 + t²)(b_2 − c) at 1 [m]
+    v20_x = center2_x + x4
+    x5 = near2_y*q2
+    v20_y = center2_y + x5
+    x6 = q2*start_22
+    v20_z = center2_z + x6
+    x7 = 2.0*q2
+    # (1 + t²)(b_2 − c) at t [m]
+    v21_x = up2_x*x7
+    v21_y = up2_y*x7
+    v21_z = start_21*x7
+    # (1 + t²)(b_2 − c) at t² [m]
+    v22_x = center2_x - x4
+    v22_y = center2_y - x5
+    v22_z = center2_z - x6
+    x8 = (t*t)
+    x9 = 1.0/(x8 + 1.0)
+    # from C to B_1 [m]
+    arm1_x = x9*(center1_x*x8 + center1_x)
+    arm1_y = x9*(t*v11_y + v10_y + v12_y*x8)
+    arm1_z = x9*(t*v11_z + v10_z + v12_z*x8)
+    x10 = (s*s)
+    x11 = 1.0/(x10 + 1.0)
+    # from C to B_2 [m]
+    arm2_x = x11*(s*v21_x + v20_x + v22_x*x10)
+    arm2_y = x11*(s*v21_y + v20_y + v22_y*x10)
+    arm2_z = x11*(s*v21_z + v20_z + v22_z*x10)
+    out_arms[0, 0] = arm1_x
+    out_arms[0, 1] = arm1_y
+    out_arms[0, 2] = arm1_z
+    out_arms[1, 0] = arm2_x
+    out_arms[1, 1] = arm2_y
+    out_arms[1, 2] = arm2_z
+
+
+class NewtonStep(NamedTuple):
+    """What `newton_step` returns."""
+
+    next: Array
+    turn: Array
+    residual: Array
+    gradient: Array
+    volume: Array
+
+
+def newton_step(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, directions: ArrayLike) -> NewtonStep:
+    """One step of Newton's method on the rotation, for the three closure equations.
+
+    Equations (6) of the paper; base frame.
+    264 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    lengths : array (..., 3)
+        q1, q2, q3 [m]
+    directions : array (..., 2, 3)
+        n_1 and n_2, a row each [1]
+
+    Returns
+    -------
+    next : array (..., 2, 3)
+        n_1, n_2 turned [1]
+    turn : array (..., 3)
+        the step, a rotation vector [rad]
+    residual : array (..., 3)
+        F_1, F_2, F_3 [m²]
+    gradient : array (..., 3, 3)
+        of F_i by a turn, a row each [m²]
+    volume : array (...)
+        determinant of the gradient [m⁶]
+    """
+    return NewtonStep(
+        *apply(
+            _newton_step,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("lengths", lengths, (3,)),
+                ("directions", directions, (2, 3)),
+            ),
+            (
+                (2, 3),
+                (3,),
+                (3,),
+                (3, 3),
+                (),
+            ),
+        )
+    )
+
+
+def _newton_step(
+    out_next: Array,
+    out_turn: Array,
+    out_residual: Array,
+    out_gradient: Array,
+    out_volume: Array,
+    a: Array,
+    c: Array,
+    lengths: Array,
+    directions: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    (n1_x, n1_y, n1_z), (n2_x, n2_y, n2_z) = directions
+    # the third direction (5) [1]
+    n3_x = -n1_x - n2_x
+    n3_y = -n1_y - n2_y
+    n3_z = -n1_z - n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    x0 = (q1*q1)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F1 = (gt1*gt1) + (gz1*gz1) - x0*(n1_x*n1_x)
+    x1 = 2.0*gt1
+    x2 = 2.0*gz1
+    # gradient of F_i in n_i (6) [m²]
+    dF1_x = c_y*x1 + c_z*x2 - 2.0*n1_x*x0
+    dF1_y = h1*x1
+    dF1_z = h1*x2
+    x3 = SQRT3_2*c_y
+    x4 = 0.5*c_x
+    x5 = a + x4
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x3 + x5
+    x6 = 0.5*n2_x
+    x7 = SQRT3_2*n2_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = -x6 + x7
+    x8 = 0.25*c_y
+    x9 = SQRT3_2*x4
+    x10 = -SQRT3_2*h2 + x8 + x9
+    x11 = 0.5*c_y
+    x12 = SQRT3_2*c_x
+    x13 = SQRT3_2*(-x11 - x12) - 0.5*h2
+    # p_i times the horizontal part of the leg [m]
+    gt2 = n2_x*x10 + n2_y*x13
+    # p_i times the vertical part of the leg [m]
+    gz2 = -c_z*x6 + c_z*x7 + h2*n2_z
+    x14 = (q2*q2)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F2 = (gt2*gt2) + (gz2*gz2) - x14*(p2*p2)
+    x15 = c_z*gz2
+    x16 = p2*x14
+    x17 = 2.0*gt2
+    # gradient of F_i in n_i (6) [m²]
+    dF2_x = x10*x17 - x15 + x16
+    x18 = 2.0*SQRT3_2
+    dF2_y = x13*x17 + x15*x18 - x16*x18
+    dF2_z = 2.0*gz2*h2
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x3 + x5
+    x19 = 0.5*n3_x
+    x20 = SQRT3_2*n3_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -x19 - x20
+    x21 = SQRT3_2*h3 + x8 - x9
+    x22 = -SQRT3_2*(-x11 + x12) - 0.5*h3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = n3_x*x21 + n3_y*x22
+    # p_i times the vertical part of the leg [m]
+    gz3 = -c_z*x19 - c_z*x20 + h3*n3_z
+    x23 = (q3*q3)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F3 = (gt3*gt3) + (gz3*gz3) - x23*(p3*p3)
+    x24 = c_z*gz3
+    x25 = p3*x23
+    x26 = 2.0*gt3
+    # gradient of F_i in n_i (6) [m²]
+    dF3_x = x21*x26 - x24 + x25
+    dF3_y = -x18*x24 + x18*x25 + x22*x26
+    dF3_z = 2.0*gz3*h3
+    # derivative of F_1 by a turn of the platform (6) [m²]
+    G1_x = -dF1_y*n1_z + dF1_z*n1_y
+    G1_y = dF1_x*n1_z - dF1_z*n1_x
+    G1_z = -dF1_x*n1_y + dF1_y*n1_x
+    # derivative of F_2 by a turn of the platform (6) [m²]
+    G2_x = -dF2_y*n2_z + dF2_z*n2_y
+    G2_y = dF2_x*n2_z - dF2_z*n2_x
+    G2_z = -dF2_x*n2_y + dF2_y*n2_x
+    # derivative of F_3 by a turn of the platform (6) [m²]
+    G3_x = -dF3_y*n3_z + dF3_z*n3_y
+    G3_y = dF3_x*n3_z - dF3_z*n3_x
+    G3_z = -dF3_x*n3_y + dF3_y*n3_x
+    x27 = G2_y*G3_z - G2_z*G3_y
+    x28 = -G2_x*G3_z + G2_z*G3_x
+    x29 = G2_x*G3_y - G2_y*G3_x
+    # triple product of the G_i: zero where modes meet [m⁶]
+    volume = G1_x*x27 + G1_y*x28 + G1_z*x29
+    x30 = 1.0/volume
+    # Newton's turn: G_i·turn = −F_i [rad]
+    turn_x = -x30*(F1*x27 + F2*(-G1_y*G3_z + G1_z*G3_y) + F3*(G1_y*G2_z - G1_z*G2_y))
+    turn_y = -x30*(F1*x28 + F2*(G1_x*G3_z - G1_z*G3_x) + F3*(-G1_x*G2_z + G1_z*G2_x))
+    turn_z = -x30*(F1*x29 + F2*(-G1_x*G3_y + G1_y*G3_x) + F3*(G1_x*G2_y - G1_y*G2_x))
+    # half of it [1]
+    half_turn_x = 0.5*turn_x
+    half_turn_y = 0.5*turn_y
+    half_turn_z = 0.5*turn_z
+    # factor of Cayley's rotation [1]
+    cayley = 2.0/((half_turn_x*half_turn_x) + (half_turn_y*half_turn_y) + (half_turn_z*half_turn_z) + 1.0)
+    x31 = half_turn_x*n1_y - half_turn_y*n1_x + n1_z
+    x32 = -half_turn_x*n1_z + half_turn_z*n1_x + n1_y
+    # n_1 turned [1]
+    next1_x = cayley*(half_turn_y*x31 - half_turn_z*x32) + n1_x
+    x33 = half_turn_y*n1_z - half_turn_z*n1_y + n1_x
+    next1_y = cayley*(-half_turn_x*x31 + half_turn_z*x33) + n1_y
+    next1_z = cayley*(half_turn_x*x32 - half_turn_y*x33) + n1_z
+    x34 = half_turn_x*n2_y - half_turn_y*n2_x + n2_z
+    x35 = -half_turn_x*n2_z + half_turn_z*n2_x + n2_y
+    # n_2 turned [1]
+    next2_x = cayley*(half_turn_y*x34 - half_turn_z*x35) + n2_x
+    x36 = half_turn_y*n2_z - half_turn_z*n2_y + n2_x
+    next2_y = cayley*(-half_turn_x*x34 + half_turn_z*x36) + n2_y
+    next2_z = cayley*(half_turn_x*x35 - half_turn_y*x36) + n2_z
+    out_next[0, 0] = next1_x
+    out_next[0, 1] = next1_y
+    out_next[0, 2] = next1_z
+    out_next[1, 0] = next2_x
+    out_next[1, 1] = next2_y
+    out_next[1, 2] = next2_z
+    out_turn[0] = turn_x
+    out_turn[1] = turn_y
+    out_turn[2] = turn_z
+    out_residual[0] = F1
+    out_residual[1] = F2
+    out_residual[2] = F3
+    out_gradient[0, 0] = G1_x
+    out_gradient[0, 1] = G1_y
+    out_gradient[0, 2] = G1_z
+    out_gradient[1, 0] = G2_x
+    out_gradient[1, 1] = G2_y
+    out_gradient[1, 2] = G2_z
+    out_gradient[2, 0] = G3_x
+    out_gradient[2, 1] = G3_y
+    out_gradient[2, 2] = G3_z
+    out_volume[...] = volume
+
+
+class Fold(NamedTuple):
+    """What `fold` returns."""
+
+    residual: Array
+    gradient: Array
+    volume: Array
+    volume_gradient: Array
+    by_joints: Array
+
+
+def fold(a: ArrayLike, joints: ArrayLike, directions: ArrayLike) -> Fold:
+    """What decides whether two assembly modes have merged.
+
+    Equations (6) of the paper; base frame.
+    663 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    joints : array (..., 6)
+        q1 ... q6 [m, rad]
+    directions : array (..., 2, 3)
+        n_1 and n_2, a row each [1]
+
+    Returns
+    -------
+    residual : array (..., 3)
+        F_1, F_2, F_3 [m²]
+    gradient : array (..., 3, 3)
+        of F_i by a turn, a row each [m²]
+    volume : array (...)
+        determinant of the gradient [m⁶]
+    volume_gradient : array (..., 3)
+        of the volume by a turn [m⁶]
+    by_joints : array (..., 3, 6)
+        of F_i by the logarithm of q_j [m²]
+    """
+    return Fold(
+        *apply(
+            _fold,
+            (
+                ("a", a, ()),
+                ("joints", joints, (6,)),
+                ("directions", directions, (2, 3)),
+            ),
+            (
+                (3,),
+                (3, 3),
+                (),
+                (3,),
+                (3, 6),
+            ),
+        )
+    )
+
+
+def _fold(
+    out_residual: Array,
+    out_gradient: Array,
+    out_volume: Array,
+    out_volume_gradient: Array,
+    out_by_joints: Array,
+    a: Array,
+    joints: Array,
+    directions: Array,
+) -> None:
+    q1, q2, q3, q4, q5, q6 = joints
+    (n1_x, n1_y, n1_z), (n2_x, n2_y, n2_z) = directions
+    x0 = cos(q4)
+    x1 = cos(q5)
+    x2 = x0*x1
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = x2
+    x3 = sin(q4)
+    x4 = x1*x3
+    lambda_y = x4
+    x5 = sin(q5)
+    lambda_z = x5
+    # position of the platform's centre C (1) [m]
+    c_x = lambda_x*q6
+    c_y = lambda_y*q6
+    c_z = lambda_z*q6
+    # the third direction (5) [1]
+    n3_x = -n1_x - n2_x
+    n3_y = -n1_y - n2_y
+    n3_z = -n1_z - n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    x6 = h1*n1_y
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + x6
+    x7 = h1*n1_z
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + x7
+    x8 = (q1*q1)
+    x9 = x8*(n1_x*n1_x)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F1 = (gt1*gt1) + (gz1*gz1) - x9
+    x10 = 2.0*gt1
+    x11 = 2.0*gz1
+    x12 = 2.0*x8
+    # gradient of F_i in n_i (6) [m²]
+    dF1_x = c_y*x10 + c_z*x11 - n1_x*x12
+    dF1_y = h1*x10
+    dF1_z = h1*x11
+    x13 = SQRT3_2*c_y
+    x14 = 0.5*c_x
+    x15 = a + x14
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x13 + x15
+    x16 = 0.5*n2_x
+    x17 = SQRT3_2*n2_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = -x16 + x17
+    x18 = 0.25*c_y
+    x19 = SQRT3_2*x14
+    x20 = -SQRT3_2*h2 + x18 + x19
+    x21 = 0.5*c_y
+    x22 = SQRT3_2*c_x
+    x23 = SQRT3_2*(-x21 - x22) - 0.5*h2
+    # p_i times the horizontal part of the leg [m]
+    gt2 = n2_x*x20 + n2_y*x23
+    # p_i times the vertical part of the leg [m]
+    gz2 = -c_z*x16 + c_z*x17 + h2*n2_z
+    x24 = (q2*q2)
+    x25 = x24*(p2*p2)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F2 = (gt2*gt2) + (gz2*gz2) - x25
+    x26 = c_z*gz2
+    x27 = p2*x24
+    x28 = 2.0*gt2
+    # gradient of F_i in n_i (6) [m²]
+    dF2_x = x20*x28 - x26 + x27
+    x29 = 2.0*SQRT3_2
+    dF2_y = x23*x28 + x26*x29 - x27*x29
+    x30 = 2.0*h2
+    dF2_z = gz2*x30
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x13 + x15
+    x31 = 0.5*n3_x
+    x32 = SQRT3_2*n3_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -x31 - x32
+    x33 = SQRT3_2*h3 + x18 - x19
+    x34 = -SQRT3_2*(-x21 + x22) - 0.5*h3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = n3_x*x33 + n3_y*x34
+    # p_i times the vertical part of the leg [m]
+    gz3 = -c_z*x31 - c_z*x32 + h3*n3_z
+    x35 = (q3*q3)
+    x36 = x35*(p3*p3)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F3 = (gt3*gt3) + (gz3*gz3) - x36
+    x37 = c_z*gz3
+    x38 = p3*x35
+    x39 = 2.0*gt3
+    # gradient of F_i in n_i (6) [m²]
+    dF3_x = x33*x39 - x37 + x38
+    dF3_y = -x29*x37 + x29*x38 + x34*x39
+    dF3_z = 2.0*gz3*h3
+    x40 = dF1_y*n1_z
+    # derivative of F_1 by a turn of the platform (6) [m²]
+    G1_x = dF1_z*n1_y - x40
+    x41 = dF1_z*n1_x
+    G1_y = dF1_x*n1_z - x41
+    x42 = dF1_x*n1_y
+    G1_z = dF1_y*n1_x - x42
+    x43 = dF2_y*n2_z
+    # derivative of F_2 by a turn of the platform (6) [m²]
+    G2_x = dF2_z*n2_y - x43
+    x44 = dF2_z*n2_x
+    G2_y = dF2_x*n2_z - x44
+    x45 = dF2_x*n2_y
+    G2_z = dF2_y*n2_x - x45
+    x46 = dF3_y*n3_z
+    # derivative of F_3 by a turn of the platform (6) [m²]
+    G3_x = dF3_z*n3_y - x46
+    x47 = dF3_z*n3_x
+    G3_y = dF3_x*n3_z - x47
+    x48 = dF3_x*n3_y
+    G3_z = dF3_y*n3_x - x48
+    x49 = G2_y*G3_z - G2_z*G3_y
+    x50 = -G2_x*G3_z + G2_z*G3_x
+    x51 = G2_x*G3_y - G2_y*G3_x
+    # triple product of the G_i: zero where modes meet [m⁶]
+    volume = G1_x*x49 + G1_y*x50 + G1_z*x51
+    # change of n_1 by a turn about x [1]
+    dn1x_y = -n1_z
+    x52 = 2.0*h1
+    x53 = 2.0*c_z
+    # change of dF_1 [m²]
+    ddF1x_x = c_y*dn1x_y*x52 + x53*x6
+    x54 = 2.0*(h1*h1)
+    ddF1x_y = dn1x_y*x54
+    ddF1x_z = n1_y*x54
+    # change of G_1 [m²]
+    dG1x_x = -dF1_y*n1_y + dF1_z*dn1x_y - ddF1x_y*n1_z + ddF1x_z*n1_y
+    dG1x_y = ddF1x_x*n1_z - ddF1x_z*n1_x + x42
+    dG1x_z = -dF1_x*dn1x_y - ddF1x_x*n1_y + ddF1x_y*n1_x
+    # change of n_1 by a turn about y [1]
+    dn1y_z = -n1_x
+    x55 = 2.0*n1_z
+    x56 = c_z*x55 + dn1y_z*x52
+    # change of dF_1 [m²]
+    ddF1y_x = x55*(c_y*c_y) + c_z*x56 - n1_z*x12
+    ddF1y_y = 2.0*c_y*x7
+    ddF1y_z = h1*x56
+    # change of G_1 [m²]
+    dG1y_x = -dF1_y*dn1y_z - ddF1y_y*n1_z + ddF1y_z*n1_y
+    dG1y_y = dF1_x*dn1y_z - dF1_z*n1_z + ddF1y_x*n1_z - ddF1y_z*n1_x
+    dG1y_z = -ddF1y_x*n1_y + ddF1y_y*n1_x + x40
+    # change of n_1 by a turn about z [1]
+    dn1z_x = -n1_y
+    x57 = 2.0*dn1z_x
+    x58 = c_y*x57 + n1_x*x52
+    # change of dF_1 [m²]
+    ddF1z_x = c_y*x58 + x57*(c_z*c_z) - dn1z_x*x12
+    ddF1z_y = h1*x58
+    ddF1z_z = c_z*dn1z_x*x52
+    # change of G_1 [m²]
+    dG1z_x = -ddF1z_y*n1_z + ddF1z_z*n1_y + x41
+    dG1z_y = -dF1_z*dn1z_x + ddF1z_x*n1_z - ddF1z_z*n1_x
+    dG1z_z = -dF1_x*n1_x + dF1_y*dn1z_x - ddF1z_x*n1_y + ddF1z_y*n1_x
+    # change of n_2 by a turn about x [1]
+    dn2x_y = -n2_z
+    x59 = dn2x_y*x24
+    x60 = 2.0*dn2x_y
+    x61 = SQRT3_2*c_z
+    x62 = n2_y*x30 + x60*x61
+    x63 = c_z*x62
+    x64 = x20*x23
+    # change of dF_2 [m²]
+    ddF2x_x = SQRT3_2*x59 + x60*x64 - 0.5*x63
+    ddF2x_y = SQRT3_2*x63 + x60*(x23*x23) - 1.5*x59
+    ddF2x_z = h2*x62
+    # change of G_2 [m²]
+    dG2x_x = -dF2_y*n2_y + dF2_z*dn2x_y - ddF2x_y*n2_z + ddF2x_z*n2_y
+    dG2x_y = ddF2x_x*n2_z - ddF2x_z*n2_x + x45
+    dG2x_z = -dF2_x*dn2x_y - ddF2x_x*n2_y + ddF2x_y*n2_x
+    # change of n_2 by a turn about y [1]
+    dn2y_z = -n2_x
+    x65 = n2_z*x24
+    x66 = -c_z*n2_z + 2.0*dn2y_z*h2
+    x67 = c_z*x66
+    # change of dF_2 [m²]
+    ddF2y_x = 2.0*n2_z*(x20*x20) - 0.5*x65 - 0.5*x67
+    ddF2y_y = SQRT3_2*x65 + SQRT3_2*x67 + 2.0*n2_z*x64
+    ddF2y_z = h2*x66
+    # change of G_2 [m²]
+    dG2y_x = -dF2_y*dn2y_z - ddF2y_y*n2_z + ddF2y_z*n2_y
+    dG2y_y = dF2_x*dn2y_z - dF2_z*n2_z + ddF2y_x*n2_z - ddF2y_z*n2_x
+    dG2y_z = -ddF2y_x*n2_y + ddF2y_y*n2_x + x43
+    # change of n_2 by a turn about z [1]
+    dn2z_x = -n2_y
+    x68 = SQRT3_2*n2_x
+    x69 = x24*(-0.5*dn2z_x + x68)
+    x70 = -c_z*dn2z_x + x53*x68
+    x71 = c_z*x70
+    x72 = 2.0*dn2z_x*x20 + 2.0*n2_x*x23
+    # change of dF_2 [m²]
+    ddF2z_x = x20*x72 + x69 - 0.5*x71
+    ddF2z_y = SQRT3_2*x71 + x23*x72 - x29*x69
+    ddF2z_z = h2*x70
+    # change of G_2 [m²]
+    dG2z_x = -ddF2z_y*n2_z + ddF2z_z*n2_y + x44
+    dG2z_y = -dF2_z*dn2z_x + ddF2z_x*n2_z - ddF2z_z*n2_x
+    dG2z_z = -dF2_x*n2_x + dF2_y*dn2z_x - ddF2z_x*n2_y + ddF2z_y*n2_x
+    # change of n_3 by a turn about x [1]
+    dn3x_y = -n3_z
+    x73 = dn3x_y*x35
+    x74 = -2.0*dn3x_y*x61 + 2.0*h3*n3_y
+    x75 = c_z*x74
+    # change of dF_3 [m²]
+    ddF3x_x = -SQRT3_2*x73 + 2.0*dn3x_y*x33*x34 - 0.5*x75
+    ddF3x_y = -SQRT3_2*x75 + 2.0*dn3x_y*(x34*x34) - 1.5*x73
+    ddF3x_z = h3*x74
+    # change of G_3 [m²]
+    dG3x_x = -dF3_y*n3_y + dF3_z*dn3x_y - ddF3x_y*n3_z + ddF3x_z*n3_y
+    dG3x_y = ddF3x_x*n3_z - ddF3x_z*n3_x + x48
+    dG3x_z = -dF3_x*dn3x_y - ddF3x_x*n3_y + ddF3x_y*n3_x
+    # change of n_3 by a turn about y [1]
+    dn3y_z = -n3_x
+    x76 = n3_z*x35
+    x77 = -c_z*n3_z + 2.0*dn3y_z*h3
+    x78 = c_z*x77
+    # change of dF_3 [m²]
+    ddF3y_x = 2.0*n3_z*(x33*x33) - 0.5*x76 - 0.5*x78
+    ddF3y_y = -SQRT3_2*x76 - SQRT3_2*x78 + 2.0*n3_z*x33*x34
+    ddF3y_z = h3*x77
+    # change of G_3 [m²]
+    dG3y_x = -dF3_y*dn3y_z - ddF3y_y*n3_z + ddF3y_z*n3_y
+    dG3y_y = dF3_x*dn3y_z - dF3_z*n3_z + ddF3y_x*n3_z - ddF3y_z*n3_x
+    dG3y_z = -ddF3y_x*n3_y + ddF3y_y*n3_x + x46
+    # change of n_3 by a turn about z [1]
+    dn3z_x = -n3_y
+    x79 = SQRT3_2*n3_x
+    x80 = x35*(-0.5*dn3z_x - x79)
+    x81 = -c_z*dn3z_x - x53*x79
+    x82 = c_z*x81
+    x83 = 2.0*dn3z_x*x33 + 2.0*n3_x*x34
+    # change of dF_3 [m²]
+    ddF3z_x = x33*x83 + x80 - 0.5*x82
+    ddF3z_y = -SQRT3_2*x82 + x29*x80 + x34*x83
+    ddF3z_z = h3*x81
+    # change of G_3 [m²]
+    dG3z_x = -ddF3z_y*n3_z + ddF3z_z*n3_y + x47
+    dG3z_y = -dF3_z*dn3z_x + ddF3z_x*n3_z - ddF3z_z*n3_x
+    dG3z_z = -dF3_x*n3_x + dF3_y*dn3z_x - ddF3z_x*n3_y + ddF3z_y*n3_x
+    x84 = -G1_y*G3_z + G1_z*G3_y
+    x85 = G1_x*G3_z - G1_z*G3_x
+    x86 = -G1_x*G3_y + G1_y*G3_x
+    x87 = G1_y*G2_z - G1_z*G2_y
+    x88 = -G1_x*G2_z + G1_z*G2_x
+    x89 = G1_x*G2_y - G1_y*G2_x
+    # derivative of the triple product by a turn [m⁶]
+    dvolume_x = dG1x_x*x49 + dG1x_y*x50 + dG1x_z*x51 + dG2x_x*x84 + dG2x_y*x85 + dG2x_z*x86 + dG3x_x*x87 + dG3x_y*x88 + dG3x_z*x89
+    dvolume_y = dG1y_x*x49 + dG1y_y*x50 + dG1y_z*x51 + dG2y_x*x84 + dG2y_y*x85 + dG2y_z*x86 + dG3y_x*x87 + dG3y_y*x88 + dG3y_z*x89
+    dvolume_z = dG1z_x*x49 + dG1z_y*x50 + dG1z_z*x51 + dG2z_x*x84 + dG2z_y*x85 + dG2z_z*x86 + dG3z_x*x87 + dG3z_y*x88 + dG3z_z*x89
+    # change of lambda by the elevation [1]
+    dc5_x = -x0*x5
+    dc5_y = -x3*x5
+    dc5_z = x1
+    # change of lambda by the azimuth [1]
+    dc4_x = -x4
+    dc4_y = x2
+    # gradient of F_1 by the position of C (6) [m]
+    cF1_x = -n1_y*x10 - n1_z*x11
+    cF1_y = n1_x*x10
+    cF1_z = n1_x*x11
+    x90 = gz2*n2_z
+    # gradient of F_2 by the position of C (6) [m]
+    cF2_x = x28*(-SQRT3_2*p2 - SQRT3_2*x16 - 0.25*n2_y) + x90
+    cF2_y = 2.0*gt2*(SQRT3_2*(0.5*n2_y + x68) - 0.5*p2) - x29*x90
+    cF2_z = 2.0*gz2*p2
+    x91 = gz3*n3_z
+    # gradient of F_3 by the position of C (6) [m]
+    cF3_x = x39*(SQRT3_2*p3 + SQRT3_2*x31 - 0.25*n3_y) + x91
+    cF3_y = x29*x91 + x39*(-SQRT3_2*(0.5*n3_y - x79) - 0.5*p3)
+    cF3_z = 2.0*gz3*p3
+    # derivatives of F by the logarithms of q1 ... q6 (6) [m²]
+    qF_11 = -2.0*x9
+    x92 = q4*q6
+    qF_14 = x92*(cF1_x*dc4_x + cF1_y*dc4_y)
+    x93 = q5*q6
+    qF_15 = x93*(cF1_x*dc5_x + cF1_y*dc5_y + cF1_z*dc5_z)
+    qF_16 = cF1_x*c_x + cF1_y*c_y + cF1_z*c_z
+    qF_22 = -2.0*x25
+    qF_24 = x92*(cF2_x*dc4_x + cF2_y*dc4_y)
+    qF_25 = x93*(cF2_x*dc5_x + cF2_y*dc5_y + cF2_z*dc5_z)
+    qF_26 = cF2_x*c_x + cF2_y*c_y + cF2_z*c_z
+    qF_33 = -2.0*x36
+    qF_34 = x92*(cF3_x*dc4_x + cF3_y*dc4_y)
+    qF_35 = x93*(cF3_x*dc5_x + cF3_y*dc5_y + cF3_z*dc5_z)
+    qF_36 = cF3_x*c_x + cF3_y*c_y + cF3_z*c_z
+    out_residual[0] = F1
+    out_residual[1] = F2
+    out_residual[2] = F3
+    out_gradient[0, 0] = G1_x
+    out_gradient[0, 1] = G1_y
+    out_gradient[0, 2] = G1_z
+    out_gradient[1, 0] = G2_x
+    out_gradient[1, 1] = G2_y
+    out_gradient[1, 2] = G2_z
+    out_gradient[2, 0] = G3_x
+    out_gradient[2, 1] = G3_y
+    out_gradient[2, 2] = G3_z
+    out_volume[...] = volume
+    out_volume_gradient[0] = dvolume_x
+    out_volume_gradient[1] = dvolume_y
+    out_volume_gradient[2] = dvolume_z
+    out_by_joints[0, 0] = qF_11
+    out_by_joints[0, 3] = qF_14
+    out_by_joints[0, 4] = qF_15
+    out_by_joints[0, 5] = qF_16
+    out_by_joints[1, 1] = qF_22
+    out_by_joints[1, 3] = qF_24
+    out_by_joints[1, 4] = qF_25
+    out_by_joints[1, 5] = qF_26
+    out_by_joints[2, 2] = qF_33
+    out_by_joints[2, 3] = qF_34
+    out_by_joints[2, 4] = qF_35
+    out_by_joints[2, 5] = qF_36
+
+
 class RotationFromRpy(NamedTuple):
     """What `rotation_from_rpy` returns."""
 

@@ -1,0 +1,3691 @@
+# Generated from derivations/ by "make derive"; do not edit.
+# SPDX-License-Identifier: BSD-3-Clause
+"""Kernels of the uncoupled manipulator 3-RPRRC+RRPRU in ball arithmetic (python-flint).
+
+One pose at a time, nested sequences of ``arb`` or numbers in and nested lists out, at the
+working precision of ``flint.ctx``: every result encloses what the exact kernel gives for
+any arguments within the given balls.
+"""
+
+from __future__ import annotations
+
+from typing import Any, NamedTuple
+
+from flint import arb
+
+
+def sqrt(value: Any) -> Any:
+    """The square root."""
+    return arb(value).sqrt()
+
+
+def cos(value: Any) -> Any:
+    """The cosine."""
+    return arb(value).cos()
+
+
+def sin(value: Any) -> Any:
+    """The sine."""
+    return arb(value).sin()
+
+
+def atan2(ordinate: Any, abscissa: Any) -> Any:
+    """The angle of (abscissa, ordinate)."""
+    return arb.atan2(arb(ordinate), arb(abscissa))
+
+
+def absolute(value: Any) -> Any:
+    """The size."""
+    return abs(arb(value))
+
+Nested = Any
+
+
+def _exact(value: Nested) -> Nested:
+    """Turn every entry of a nested sequence into an arb, without loss."""
+    try:
+        entries = iter(value)
+    except TypeError:
+        return arb(value)
+    return [_exact(entry) for entry in entries]
+
+
+class InverseDisplacement(NamedTuple):
+    """What `inverse_displacement` returns."""
+
+    joints: Nested
+    extension: Nested
+    platform_joints: Nested
+    incidence: Nested
+    radial: Nested
+
+
+def inverse_displacement(a: Nested, c: Nested, R: Nested) -> InverseDisplacement:
+    """Joint values from the pose.
+
+    Equations (3), (4), (10), (11) of the paper; base frame.
+    111 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    joints : nested list (..., 6)
+        q1 ... q6 [m, rad]
+    extension : nested list (..., 3)
+        signed distances e_i from C to B_i [m]
+    platform_joints : nested list (..., 3, 3)
+        B_i, a row each [m]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    x6 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x6)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x6)
+    # elevation of the central limb (11) [rad]
+    q5 = atan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = atan2(c_y, c_x)
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # position of B_i (3) [m]
+    b1_x = c_x + e1*n1_x
+    b1_y = c_y + e1*n1_y
+    b1_z = c_z + e1*n1_z
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    # length of the outer limb (10) [m]
+    q1 = l1/absolute(n1_x)
+    x7 = SQRT3_2*c_y
+    x8 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x7 + x8
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    # position of B_i (3) [m]
+    b2_x = c_x + e2*n2_x
+    b2_y = c_y + e2*n2_y
+    b2_z = c_z + e2*n2_z
+    x9 = arb(1)/2*c_y
+    x10 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - arb(1)/2*n2_y) + p2*(-x10 - x9)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # length of the outer limb (10) [m]
+    q2 = l2/absolute(p2)
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x7 + x8
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # position of B_i (3) [m]
+    b3_x = c_x + e3*n3_x
+    b3_y = c_y + e3*n3_y
+    b3_z = c_z + e3*n3_z
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(x10 - x9)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # length of the outer limb (10) [m]
+    q3 = l3/absolute(p3)
+    return InverseDisplacement(
+        [q1, q2, q3, q4, q5, q6],
+        [e1, e2, e3],
+        [[b1_x, b1_y, b1_z], [b2_x, b2_y, b2_z], [b3_x, b3_y, b3_z]],
+        [n1_x, p2, p3],
+        r,
+    )
+
+
+class CentralForward(NamedTuple):
+    """What `central_forward` returns."""
+
+    position: Nested
+    direction: Nested
+
+
+def central_forward(joints: Nested) -> CentralForward:
+    """Position of C from the joint values of the central limb.
+
+    Equations (1) of the paper; base frame.
+    9 operations.
+
+    Parameters
+    ----------
+    joints : nested list (..., 3)
+        q4, q5, q6 [rad, rad, m]
+
+    Returns
+    -------
+    position : nested list (..., 3)
+        position of C [m]
+    direction : nested list (..., 3)
+        unit vector lambda [1]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    joints = _exact(joints)
+    q4, q5, q6 = joints
+    x0 = cos(q5)
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = x0*cos(q4)
+    lambda_y = x0*sin(q4)
+    lambda_z = sin(q5)
+    # position of the platform's centre C (1) [m]
+    c_x = lambda_x*q6
+    c_y = lambda_y*q6
+    c_z = lambda_z*q6
+    return CentralForward(
+        [c_x, c_y, c_z],
+        [lambda_x, lambda_y, lambda_z],
+    )
+
+
+class CentralInverse(NamedTuple):
+    """What `central_inverse` returns."""
+
+    joints: Nested
+    radial: Nested
+
+
+def central_inverse(c: Nested) -> CentralInverse:
+    """Joint values of the central limb from the position of C.
+
+    Equations (11) of the paper; base frame.
+    11 operations.
+
+    Parameters
+    ----------
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+
+    Returns
+    -------
+    joints : nested list (..., 3)
+        q4, q5, q6 [rad, rad, m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    c = _exact(c)
+    c_x, c_y, c_z = c
+    x0 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x0)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x0)
+    # elevation of the central limb (11) [rad]
+    q5 = atan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = atan2(c_y, c_x)
+    return CentralInverse(
+        [q4, q5, q6],
+        r,
+    )
+
+
+class Closure(NamedTuple):
+    """What `closure` returns."""
+
+    residual: Nested
+    jacobian: Nested
+
+
+def closure(a: Nested, c: Nested, lengths: Nested, directions: Nested) -> Closure:
+    """Residual of the six quadratics in (n_1, n_2), and its Jacobian.
+
+    Equations (6) of the paper; base frame.
+    145 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    lengths : nested list (..., 3)
+        q1, q2, q3 [m]
+    directions : nested list (..., 2, 3)
+        n_1 and n_2, a row each [1]
+
+    Returns
+    -------
+    residual : nested list (..., 6)
+        three cones, three unit conditions [m², 1]
+    jacobian : nested list (..., 6, 6)
+        by (n_1, n_2) [m², 1]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    lengths = _exact(lengths)
+    directions = _exact(directions)
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    (n1_x, n1_y, n1_z), (n2_x, n2_y, n2_z) = directions
+    # the third direction (5) [1]
+    n3_x = -n1_x - n2_x
+    n3_y = -n1_y - n2_y
+    n3_z = -n1_z - n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    x0 = (n1_x*n1_x)
+    x1 = (q1*q1)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F1 = (gt1*gt1) + (gz1*gz1) - x0*x1
+    x2 = 2.0*gt1
+    x3 = 2.0*gz1
+    x4 = 2.0*n1_x
+    # gradient of F_i in n_i (6) [m²]
+    dF1_x = c_y*x2 + c_z*x3 - x1*x4
+    dF1_y = h1*x2
+    dF1_z = h1*x3
+    x5 = SQRT3_2*c_y
+    x6 = arb(1)/2*c_x
+    x7 = a + x6
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x5 + x7
+    x8 = arb(1)/2*n2_x
+    x9 = SQRT3_2*n2_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = -x8 + x9
+    x10 = arb(1)/4*c_y
+    x11 = SQRT3_2*x6
+    x12 = -SQRT3_2*h2 + x10 + x11
+    x13 = arb(1)/2*c_y
+    x14 = SQRT3_2*c_x
+    x15 = SQRT3_2*(-x13 - x14) - arb(1)/2*h2
+    # p_i times the horizontal part of the leg [m]
+    gt2 = n2_x*x12 + n2_y*x15
+    # p_i times the vertical part of the leg [m]
+    gz2 = -c_z*x8 + c_z*x9 + h2*n2_z
+    x16 = (q2*q2)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F2 = (gt2*gt2) + (gz2*gz2) - x16*(p2*p2)
+    x17 = c_z*gz2
+    x18 = p2*x16
+    x19 = 2.0*gt2
+    # gradient of F_i in n_i (6) [m²]
+    dF2_x = x12*x19 - x17 + x18
+    x20 = 2.0*SQRT3_2
+    dF2_y = x15*x19 + x17*x20 - x18*x20
+    dF2_z = 2.0*gz2*h2
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x5 + x7
+    x21 = arb(1)/2*n3_x
+    x22 = SQRT3_2*n3_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -x21 - x22
+    x23 = SQRT3_2*h3 + x10 - x11
+    x24 = -SQRT3_2*(-x13 + x14) - arb(1)/2*h3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = n3_x*x23 + n3_y*x24
+    # p_i times the vertical part of the leg [m]
+    gz3 = -c_z*x21 - c_z*x22 + h3*n3_z
+    x25 = (q3*q3)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F3 = (gt3*gt3) + (gz3*gz3) - x25*(p3*p3)
+    x26 = c_z*gz3
+    x27 = p3*x25
+    x28 = 2.0*gt3
+    # gradient of F_i in n_i (6) [m²]
+    dF3_x = x23*x28 - x26 + x27
+    dF3_y = -x20*x26 + x20*x27 + x24*x28
+    dF3_z = 2.0*gz3*h3
+    # n_1 is a unit vector (5) [1]
+    F4 = (n1_y*n1_y) + (n1_z*n1_z) + x0 - 1.0
+    # n_2 is a unit vector (5) [1]
+    F5 = (n2_x*n2_x) + (n2_y*n2_y) + (n2_z*n2_z) - 1.0
+    # n_1, n_2 are 120° apart (5) [1]
+    F6 = n1_x*n2_x + n1_y*n2_y + n1_z*n2_z + arb(1)/2
+    x29 = -dF3_x
+    # derivatives of F by (n_1, n_2) (6) [m², 1]
+    dF_31 = x29
+    x30 = -dF3_y
+    dF_32 = x30
+    x31 = -dF3_z
+    dF_33 = x31
+    dF_34 = x29
+    dF_35 = x30
+    dF_36 = x31
+    dF_41 = x4
+    dF_42 = 2.0*n1_y
+    dF_43 = 2.0*n1_z
+    dF_54 = 2.0*n2_x
+    dF_55 = 2.0*n2_y
+    dF_56 = 2.0*n2_z
+    return Closure(
+        [F1, F2, F3, F4, F5, F6],
+        [[dF1_x, dF1_y, dF1_z, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, dF2_x, dF2_y, dF2_z], [dF_31, dF_32, dF_33, dF_34, dF_35, dF_36], [dF_41, dF_42, dF_43, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, dF_54, dF_55, dF_56], [n2_x, n2_y, n2_z, n1_x, n1_y, n1_z]],
+    )
+
+
+class Cones(NamedTuple):
+    """What `cones` returns."""
+
+    cone_1: Nested
+    cone_2: Nested
+    cone_3: Nested
+
+
+def cones(a: Nested, c: Nested, lengths: Nested) -> Cones:
+    """The closure equations as quadratic cones, F_i = n_iᵀ M_i n_i.
+
+    Equations (6) of the paper; base frame.
+    79 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    lengths : nested list (..., 3)
+        q1, q2, q3 [m]
+
+    Returns
+    -------
+    cone_1 : nested list (..., 3, 3)
+        M_1, symmetric [m²]
+    cone_2 : nested list (..., 3, 3)
+        M_2, symmetric [m²]
+    cone_3 : nested list (..., 3, 3)
+        M_3, symmetric [m²]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    lengths = _exact(lengths)
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # cone of limb 1: F_1 = n_1ᵀ M_1 n_1 (6) [m²]
+    M1_11 = (c_y*c_y) + (c_z*c_z) - (q1*q1)
+    x0 = c_y*h1
+    M1_12 = x0
+    x1 = c_z*h1
+    M1_13 = x1
+    M1_21 = x0
+    x2 = (h1*h1)
+    M1_22 = x2
+    M1_31 = x1
+    M1_33 = x2
+    x3 = SQRT3_2*c_y
+    x4 = arb(1)/2*c_x
+    x5 = a + x4
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x3 + x5
+    x6 = arb(1)/4*c_y
+    x7 = SQRT3_2*x4
+    # gt_i = ht_i · n_i [m]
+    ht2_x = -SQRT3_2*h2 + x6 + x7
+    x8 = arb(1)/2*c_y
+    x9 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x8 - x9) - arb(1)/2*h2
+    x10 = -arb(1)/2*c_z
+    # gz_i = hz_i · n_i [m]
+    hz2_x = x10
+    x11 = SQRT3_2*c_z
+    hz2_y = x11
+    x12 = (q2*q2)
+    # cone of limb 2: F_2 = n_2ᵀ M_2 n_2 (6) [m²]
+    M2_11 = (ht2_x*ht2_x) + (hz2_x*hz2_x) - arb(1)/4*x12
+    x13 = arb(1)/2*SQRT3_2
+    x14 = ht2_x*ht2_y + hz2_x*hz2_y + x12*x13
+    M2_12 = x14
+    x15 = h2*hz2_x
+    M2_13 = x15
+    M2_21 = x14
+    M2_22 = (ht2_y*ht2_y) + (hz2_y*hz2_y) - arb(3)/4*x12
+    x16 = h2*hz2_y
+    M2_23 = x16
+    M2_31 = x15
+    M2_32 = x16
+    M2_33 = (h2*h2)
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x3 + x5
+    # gt_i = ht_i · n_i [m]
+    ht3_x = SQRT3_2*h3 + x6 - x7
+    ht3_y = -SQRT3_2*(-x8 + x9) - arb(1)/2*h3
+    # gz_i = hz_i · n_i [m]
+    hz3_x = x10
+    hz3_y = -x11
+    x17 = (q3*q3)
+    # cone of limb 3: F_3 = n_3ᵀ M_3 n_3 (6) [m²]
+    M3_11 = (ht3_x*ht3_x) + (hz3_x*hz3_x) - arb(1)/4*x17
+    x18 = ht3_x*ht3_y + hz3_x*hz3_y - x13*x17
+    M3_12 = x18
+    x19 = h3*hz3_x
+    M3_13 = x19
+    M3_21 = x18
+    M3_22 = (ht3_y*ht3_y) + (hz3_y*hz3_y) - arb(3)/4*x17
+    x20 = h3*hz3_y
+    M3_23 = x20
+    M3_31 = x19
+    M3_32 = x20
+    M3_33 = (h3*h3)
+    return Cones(
+        [[M1_11, M1_12, M1_13], [M1_21, M1_22, 0.0], [M1_31, 0.0, M1_33]],
+        [[M2_11, M2_12, M2_13], [M2_21, M2_22, M2_23], [M2_31, M2_32, M2_33]],
+        [[M3_11, M3_12, M3_13], [M3_21, M3_22, M3_23], [M3_31, M3_32, M3_33]],
+    )
+
+
+class Eliminant(NamedTuple):
+    """What `eliminant` returns."""
+
+    eliminant: Nested
+    bound: Nested
+
+
+def eliminant(a: Nested, c: Nested, lengths: Nested, angle: Nested, reference: Nested) -> Eliminant:
+    """The resultant that vanishes at the angles of leg 1 of the assembly modes.
+
+    Equations (5), (6) of the paper; base frame.
+    376 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    lengths : nested list (..., 3)
+        q1, q2, q3 [m]
+    angle : nested list (..., 2)
+        cos, sin of leg 1's angle [1]
+    reference : nested list (..., 3)
+        a vector not parallel to n_1 [1]
+
+    Returns
+    -------
+    eliminant : nested list (...)
+        resultant of the quartics of limbs 2, 3 [m¹⁶]
+    bound : nested list (...)
+        Hadamard's bound on it [m¹⁶]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    lengths = _exact(lengths)
+    angle = _exact(angle)
+    reference = _exact(reference)
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    cos_theta, sin_theta = angle
+    reference_x, reference_y, reference_z = reference
+    # from C to B_1, leg 1 at the angle theta [m]
+    arm_x = a - c_x
+    arm_y = -c_y + cos_theta*q1
+    arm_z = -c_z + q1*sin_theta
+    x0 = 1.0/(sqrt((arm_x*arm_x) + (arm_y*arm_y) + (arm_z*arm_z)))
+    # direction from C to B_1 (3) [1]
+    n1_x = arm_x*x0
+    n1_y = arm_y*x0
+    n1_z = arm_z*x0
+    x1 = -n1_y*reference_z + n1_z*reference_y
+    x2 = -n1_x*reference_y + n1_y*reference_x
+    x3 = n1_x*reference_z - n1_z*reference_x
+    x4 = 1.0/(sqrt((x1*x1) + (x2*x2) + (x3*x3)))
+    # a unit vector normal to n_1 [1]
+    f_x = x1*x4
+    f_y = x3*x4
+    f_z = x2*x4
+    # completes the frame [n_1, f, g] [1]
+    g_x = -f_y*n1_z + f_z*n1_y
+    g_y = f_x*n1_z - f_z*n1_x
+    g_z = -f_x*n1_y + f_y*n1_x
+    x5 = SQRT3_2*c_y
+    x6 = arb(1)/2*c_x
+    x7 = a + x6
+    # distance of C from the plane of the limb (4) [1]
+    h2 = -x5 + x7
+    x8 = arb(1)/4*c_y
+    x9 = SQRT3_2*x6
+    # gt_i = ht_i · n_i [m]
+    ht2_x = -SQRT3_2*h2 + x8 + x9
+    x10 = arb(1)/2*h2
+    x11 = arb(1)/2*c_y
+    x12 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x11 - x12) - x10
+    x13 = -arb(1)/2*c_z
+    # gz_i = hz_i · n_i [m]
+    hz2_x = x13
+    x14 = SQRT3_2*c_z
+    hz2_y = x14
+    # p_i q_i = hp_i · n_i [m]
+    hp2_x = -arb(1)/2*q2
+    hp2_y = SQRT3_2*q2
+    x15 = SQRT3_2*(f_x*ht2_x + f_y*ht2_y)
+    x16 = arb(1)/2*n1_x
+    x17 = arb(1)/2*n1_y
+    x18 = ht2_x*x16 + ht2_y*x17
+    # coefficients of ht_2 · n_2 at x², xy, y² [m]
+    htx2_x = x15 - x18
+    x19 = 2.0*SQRT3_2
+    htx2_y = x19*(g_x*ht2_x + g_y*ht2_y)
+    htx2_z = -x15 - x18
+    x20 = SQRT3_2*(f_x*hz2_x + f_y*hz2_y + f_z*h2)
+    x21 = hz2_x*x16 + hz2_y*x17 + n1_z*x10
+    # coefficients of hz_2 · n_2 at x², xy, y² [m]
+    hzx2_x = x20 - x21
+    hzx2_y = x19*(g_x*hz2_x + g_y*hz2_y + g_z*h2)
+    hzx2_z = -x20 - x21
+    x22 = SQRT3_2*(f_x*hp2_x + f_y*hp2_y)
+    x23 = hp2_x*x16 + hp2_y*x17
+    # coefficients of hp_2 · n_2 at x², xy, y² [m]
+    hpx2_x = x22 - x23
+    hpx2_y = x19*(g_x*hp2_x + g_y*hp2_y)
+    hpx2_z = -x22 - x23
+    # coefficients of F_2 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    K2_1 = -(hpx2_x*hpx2_x) + (htx2_x*htx2_x) + (hzx2_x*hzx2_x)
+    x24 = 2.0*hpx2_x
+    x25 = 2.0*htx2_x
+    x26 = 2.0*hzx2_x
+    K2_2 = -hpx2_y*x24 + htx2_y*x25 + hzx2_y*x26
+    K2_3 = -(hpx2_y*hpx2_y) - hpx2_z*x24 + (htx2_y*htx2_y) + htx2_z*x25 + (hzx2_y*hzx2_y) + hzx2_z*x26
+    K2_4 = -2.0*hpx2_y*hpx2_z + 2.0*htx2_y*htx2_z + 2.0*hzx2_y*hzx2_z
+    K2_5 = -(hpx2_z*hpx2_z) + (htx2_z*htx2_z) + (hzx2_z*hzx2_z)
+    # distance of C from the plane of the limb (4) [1]
+    h3 = x5 + x7
+    # gt_i = ht_i · n_i [m]
+    ht3_x = SQRT3_2*h3 + x8 - x9
+    x27 = arb(1)/2*h3
+    ht3_y = -SQRT3_2*(-x11 + x12) - x27
+    # gz_i = hz_i · n_i [m]
+    hz3_x = x13
+    hz3_y = -x14
+    # p_i q_i = hp_i · n_i [m]
+    hp3_x = -arb(1)/2*q3
+    hp3_y = -SQRT3_2*q3
+    x28 = SQRT3_2*(f_x*ht3_x + f_y*ht3_y)
+    x29 = ht3_x*x16 + ht3_y*x17
+    # coefficients of ht_3 · n_3 at x², xy, y² [m]
+    htx3_x = -x28 - x29
+    htx3_y = -x19*(g_x*ht3_x + g_y*ht3_y)
+    htx3_z = x28 - x29
+    x30 = SQRT3_2*(f_x*hz3_x + f_y*hz3_y + f_z*h3)
+    x31 = hz3_x*x16 + hz3_y*x17 + n1_z*x27
+    # coefficients of hz_3 · n_3 at x², xy, y² [m]
+    hzx3_x = -x30 - x31
+    hzx3_y = -x19*(g_x*hz3_x + g_y*hz3_y + g_z*h3)
+    hzx3_z = x30 - x31
+    x32 = SQRT3_2*(f_x*hp3_x + f_y*hp3_y)
+    x33 = hp3_x*x16 + hp3_y*x17
+    # coefficients of hp_3 · n_3 at x², xy, y² [m]
+    hpx3_x = -x32 - x33
+    hpx3_y = -x19*(g_x*hp3_x + g_y*hp3_y)
+    hpx3_z = x32 - x33
+    # coefficients of F_3 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    K3_1 = -(hpx3_x*hpx3_x) + (htx3_x*htx3_x) + (hzx3_x*hzx3_x)
+    x34 = 2.0*hpx3_x
+    x35 = 2.0*htx3_x
+    x36 = 2.0*hzx3_x
+    K3_2 = -hpx3_y*x34 + htx3_y*x35 + hzx3_y*x36
+    K3_3 = -(hpx3_y*hpx3_y) - hpx3_z*x34 + (htx3_y*htx3_y) + htx3_z*x35 + (hzx3_y*hzx3_y) + hzx3_z*x36
+    K3_4 = -2.0*hpx3_y*hpx3_z + 2.0*htx3_y*htx3_z + 2.0*hzx3_y*hzx3_z
+    K3_5 = -(hpx3_z*hpx3_z) + (htx3_z*htx3_z) + (hzx3_z*hzx3_z)
+    # Bezoutian of the two quartics [m⁴]
+    Z_11 = K2_1*K3_2 - K2_2*K3_1
+    x37 = K2_1*K3_3 - K2_3*K3_1
+    Z_12 = x37
+    x38 = K2_1*K3_4 - K2_4*K3_1
+    Z_13 = x38
+    x39 = K2_1*K3_5 - K2_5*K3_1
+    Z_14 = x39
+    Z_21 = x37
+    Z_22 = K2_2*K3_3 - K2_3*K3_2 + x38
+    x40 = K2_2*K3_4 - K2_4*K3_2 + x39
+    Z_23 = x40
+    x41 = K2_2*K3_5 - K2_5*K3_2
+    Z_24 = x41
+    Z_31 = x38
+    Z_32 = x40
+    Z_33 = K2_3*K3_4 - K2_4*K3_3 + x41
+    x42 = K2_3*K3_5 - K2_5*K3_3
+    Z_34 = x42
+    Z_41 = x39
+    Z_42 = x41
+    Z_43 = x42
+    Z_44 = K2_4*K3_5 - K2_5*K3_4
+    # minors of rows 1 and 2 of Z [m⁸]
+    upper_x = Z_11*Z_22 - Z_12*Z_21
+    upper_y = Z_11*Z_23 - Z_13*Z_21
+    upper_z = Z_11*Z_24 - Z_14*Z_21
+    upper_ox = Z_12*Z_23 - Z_13*Z_22
+    upper_oy = Z_12*Z_24 - Z_14*Z_22
+    upper_oz = Z_13*Z_24 - Z_14*Z_23
+    # minors of rows 3 and 4 of Z [m⁸]
+    lower_x = Z_31*Z_42 - Z_32*Z_41
+    lower_y = Z_31*Z_43 - Z_33*Z_41
+    lower_z = Z_31*Z_44 - Z_34*Z_41
+    lower_ox = Z_32*Z_43 - Z_33*Z_42
+    lower_oy = Z_32*Z_44 - Z_34*Z_42
+    lower_oz = Z_33*Z_44 - Z_34*Z_43
+    # resultant of the two quartics, det Z [m¹⁶]
+    eliminant = lower_ox*upper_z - lower_oy*upper_y + lower_oz*upper_x + lower_x*upper_oz - lower_y*upper_oy + lower_z*upper_ox
+    # Hadamard's bound on the eliminant: the product of the lengths of the rows of Z [m¹⁶]
+    bound = sqrt((Z_11*Z_11) + (Z_12*Z_12) + (Z_13*Z_13) + (Z_14*Z_14))*sqrt((Z_21*Z_21) + (Z_22*Z_22) + (Z_23*Z_23) + (Z_24*Z_24))*sqrt((Z_31*Z_31) + (Z_32*Z_32) + (Z_33*Z_33) + (Z_34*Z_34))*sqrt((Z_41*Z_41) + (Z_42*Z_42) + (Z_43*Z_43) + (Z_44*Z_44))
+    return Eliminant(
+        eliminant,
+        bound,
+    )
+
+
+class HalfTurn(NamedTuple):
+    """What `half_turn` returns."""
+
+    frame: Nested
+    powers: Nested
+
+
+def half_turn(a: Nested, c: Nested, lengths: Nested, angle: Nested, reference: Nested) -> HalfTurn:
+    """The turn about n_1 at a zero of the eliminant, as a half angle.
+
+    Equations (5), (6) of the paper; base frame.
+    394 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    lengths : nested list (..., 3)
+        q1, q2, q3 [m]
+    angle : nested list (..., 2)
+        cos, sin of leg 1's angle [1]
+    reference : nested list (..., 3)
+        a vector not parallel to n_1 [1]
+
+    Returns
+    -------
+    frame : nested list (..., 3, 3)
+        n_1, f, g, a row each [1]
+    powers : nested list (..., 2, 4)
+        along x³, x²y, xy², y³ twice [m¹²]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    lengths = _exact(lengths)
+    angle = _exact(angle)
+    reference = _exact(reference)
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    cos_theta, sin_theta = angle
+    reference_x, reference_y, reference_z = reference
+    # from C to B_1, leg 1 at the angle theta [m]
+    arm_x = a - c_x
+    arm_y = -c_y + cos_theta*q1
+    arm_z = -c_z + q1*sin_theta
+    x0 = 1.0/(sqrt((arm_x*arm_x) + (arm_y*arm_y) + (arm_z*arm_z)))
+    # direction from C to B_1 (3) [1]
+    n1_x = arm_x*x0
+    n1_y = arm_y*x0
+    n1_z = arm_z*x0
+    x1 = -n1_y*reference_z + n1_z*reference_y
+    x2 = -n1_x*reference_y + n1_y*reference_x
+    x3 = n1_x*reference_z - n1_z*reference_x
+    x4 = 1.0/(sqrt((x1*x1) + (x2*x2) + (x3*x3)))
+    # a unit vector normal to n_1 [1]
+    f_x = x1*x4
+    f_y = x3*x4
+    f_z = x2*x4
+    # completes the frame [n_1, f, g] [1]
+    g_x = -f_y*n1_z + f_z*n1_y
+    g_y = f_x*n1_z - f_z*n1_x
+    g_z = -f_x*n1_y + f_y*n1_x
+    x5 = SQRT3_2*c_y
+    x6 = arb(1)/2*c_x
+    x7 = a + x6
+    # distance of C from the plane of the limb (4) [1]
+    h2 = -x5 + x7
+    x8 = arb(1)/4*c_y
+    x9 = SQRT3_2*x6
+    # gt_i = ht_i · n_i [m]
+    ht2_x = -SQRT3_2*h2 + x8 + x9
+    x10 = arb(1)/2*h2
+    x11 = arb(1)/2*c_y
+    x12 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x11 - x12) - x10
+    x13 = -arb(1)/2*c_z
+    # gz_i = hz_i · n_i [m]
+    hz2_x = x13
+    x14 = SQRT3_2*c_z
+    hz2_y = x14
+    # p_i q_i = hp_i · n_i [m]
+    hp2_x = -arb(1)/2*q2
+    hp2_y = SQRT3_2*q2
+    x15 = SQRT3_2*(f_x*ht2_x + f_y*ht2_y)
+    x16 = arb(1)/2*n1_x
+    x17 = arb(1)/2*n1_y
+    x18 = ht2_x*x16 + ht2_y*x17
+    # coefficients of ht_2 · n_2 at x², xy, y² [m]
+    htx2_x = x15 - x18
+    x19 = 2.0*SQRT3_2
+    htx2_y = x19*(g_x*ht2_x + g_y*ht2_y)
+    htx2_z = -x15 - x18
+    x20 = SQRT3_2*(f_x*hz2_x + f_y*hz2_y + f_z*h2)
+    x21 = hz2_x*x16 + hz2_y*x17 + n1_z*x10
+    # coefficients of hz_2 · n_2 at x², xy, y² [m]
+    hzx2_x = x20 - x21
+    hzx2_y = x19*(g_x*hz2_x + g_y*hz2_y + g_z*h2)
+    hzx2_z = -x20 - x21
+    x22 = SQRT3_2*(f_x*hp2_x + f_y*hp2_y)
+    x23 = hp2_x*x16 + hp2_y*x17
+    # coefficients of hp_2 · n_2 at x², xy, y² [m]
+    hpx2_x = x22 - x23
+    hpx2_y = x19*(g_x*hp2_x + g_y*hp2_y)
+    hpx2_z = -x22 - x23
+    # coefficients of F_2 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    K2_1 = -(hpx2_x*hpx2_x) + (htx2_x*htx2_x) + (hzx2_x*hzx2_x)
+    x24 = 2.0*hpx2_x
+    x25 = 2.0*htx2_x
+    x26 = 2.0*hzx2_x
+    K2_2 = -hpx2_y*x24 + htx2_y*x25 + hzx2_y*x26
+    K2_3 = -(hpx2_y*hpx2_y) - hpx2_z*x24 + (htx2_y*htx2_y) + htx2_z*x25 + (hzx2_y*hzx2_y) + hzx2_z*x26
+    K2_4 = -2.0*hpx2_y*hpx2_z + 2.0*htx2_y*htx2_z + 2.0*hzx2_y*hzx2_z
+    K2_5 = -(hpx2_z*hpx2_z) + (htx2_z*htx2_z) + (hzx2_z*hzx2_z)
+    # distance of C from the plane of the limb (4) [1]
+    h3 = x5 + x7
+    # gt_i = ht_i · n_i [m]
+    ht3_x = SQRT3_2*h3 + x8 - x9
+    x27 = arb(1)/2*h3
+    ht3_y = -SQRT3_2*(-x11 + x12) - x27
+    # gz_i = hz_i · n_i [m]
+    hz3_x = x13
+    hz3_y = -x14
+    # p_i q_i = hp_i · n_i [m]
+    hp3_x = -arb(1)/2*q3
+    hp3_y = -SQRT3_2*q3
+    x28 = SQRT3_2*(f_x*ht3_x + f_y*ht3_y)
+    x29 = ht3_x*x16 + ht3_y*x17
+    # coefficients of ht_3 · n_3 at x², xy, y² [m]
+    htx3_x = -x28 - x29
+    htx3_y = -x19*(g_x*ht3_x + g_y*ht3_y)
+    htx3_z = x28 - x29
+    x30 = SQRT3_2*(f_x*hz3_x + f_y*hz3_y + f_z*h3)
+    x31 = hz3_x*x16 + hz3_y*x17 + n1_z*x27
+    # coefficients of hz_3 · n_3 at x², xy, y² [m]
+    hzx3_x = -x30 - x31
+    hzx3_y = -x19*(g_x*hz3_x + g_y*hz3_y + g_z*h3)
+    hzx3_z = x30 - x31
+    x32 = SQRT3_2*(f_x*hp3_x + f_y*hp3_y)
+    x33 = hp3_x*x16 + hp3_y*x17
+    # coefficients of hp_3 · n_3 at x², xy, y² [m]
+    hpx3_x = -x32 - x33
+    hpx3_y = -x19*(g_x*hp3_x + g_y*hp3_y)
+    hpx3_z = x32 - x33
+    # coefficients of F_3 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    K3_1 = -(hpx3_x*hpx3_x) + (htx3_x*htx3_x) + (hzx3_x*hzx3_x)
+    x34 = 2.0*hpx3_x
+    x35 = 2.0*htx3_x
+    x36 = 2.0*hzx3_x
+    K3_2 = -hpx3_y*x34 + htx3_y*x35 + hzx3_y*x36
+    K3_3 = -(hpx3_y*hpx3_y) - hpx3_z*x34 + (htx3_y*htx3_y) + htx3_z*x35 + (hzx3_y*hzx3_y) + hzx3_z*x36
+    K3_4 = -2.0*hpx3_y*hpx3_z + 2.0*htx3_y*htx3_z + 2.0*hzx3_y*hzx3_z
+    K3_5 = -(hpx3_z*hpx3_z) + (htx3_z*htx3_z) + (hzx3_z*hzx3_z)
+    # Bezoutian of the two quartics [m⁴]
+    Z_11 = K2_1*K3_2 - K2_2*K3_1
+    Z_12 = K2_1*K3_3 - K2_3*K3_1
+    x37 = K2_1*K3_4 - K2_4*K3_1
+    Z_13 = x37
+    x38 = K2_1*K3_5 - K2_5*K3_1
+    Z_14 = x38
+    Z_22 = K2_2*K3_3 - K2_3*K3_2 + x37
+    Z_23 = K2_2*K3_4 - K2_4*K3_2 + x38
+    x39 = K2_2*K3_5 - K2_5*K3_2
+    Z_24 = x39
+    Z_33 = K2_3*K3_4 - K2_4*K3_3 + x39
+    Z_34 = K2_3*K3_5 - K2_5*K3_3
+    Z_44 = K2_4*K3_5 - K2_5*K3_4
+    x40 = (Z_34*Z_34)
+    x41 = (Z_23*Z_23)
+    x42 = (Z_24*Z_24)
+    # rows 1 and 4 of the adjugate of Z [m¹²]
+    powers_11 = Z_22*Z_33*Z_44 - Z_22*x40 + 2.0*Z_23*Z_24*Z_34 - Z_33*x42 - Z_44*x41
+    x43 = Z_24*Z_34
+    x44 = Z_14*Z_34
+    powers_12 = -Z_12*Z_33*Z_44 + Z_12*x40 + Z_13*Z_23*Z_44 - Z_13*x43 + Z_14*Z_24*Z_33 - Z_23*x44
+    powers_13 = Z_12*Z_23*Z_44 - Z_12*x43 - Z_13*Z_22*Z_44 + Z_13*x42 - Z_14*Z_23*Z_24 + Z_22*x44
+    x45 = Z_23*Z_34
+    x46 = Z_13*Z_23
+    x47 = Z_12*Z_24*Z_33 - Z_12*x45 + Z_13*Z_22*Z_34 - Z_14*Z_22*Z_33 + Z_14*x41 - Z_24*x46
+    powers_14 = x47
+    powers_21 = x47
+    x48 = (Z_13*Z_13)
+    x49 = Z_12*Z_13
+    powers_22 = -Z_11*Z_24*Z_33 + Z_11*x45 + Z_12*Z_14*Z_33 - Z_14*x46 + Z_24*x48 - Z_34*x49
+    x50 = (Z_12*Z_12)
+    powers_23 = -Z_11*Z_22*Z_34 + Z_11*Z_23*Z_24 - Z_12*Z_14*Z_23 + Z_13*Z_14*Z_22 - Z_24*x49 + Z_34*x50
+    powers_24 = Z_11*Z_22*Z_33 - Z_11*x41 + 2.0*Z_12*Z_13*Z_23 - Z_22*x48 - Z_33*x50
+    return HalfTurn(
+        [[n1_x, n1_y, n1_z], [f_x, f_y, f_z], [g_x, g_y, g_z]],
+        [[powers_11, powers_12, powers_13, powers_14], [powers_21, powers_22, powers_23, powers_24]],
+    )
+
+
+class TurnedDirections(NamedTuple):
+    """What `turned_directions` returns."""
+
+    directions: Nested
+
+
+def turned_directions(frame: Nested, half_angle: Nested) -> TurnedDirections:
+    """n_1 and n_2 from the frame about n_1 and the half angle of the turn.
+
+    Equations (5) of the paper; base frame.
+    27 operations.
+
+    Parameters
+    ----------
+    frame : nested list (..., 3, 3)
+        n_1, f, g, a row each [1]
+    half_angle : nested list (..., 2)
+        (x, y), any length [1]
+
+    Returns
+    -------
+    directions : nested list (..., 2, 3)
+        n_1 and n_2, a row each [1]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    frame = _exact(frame)
+    half_angle = _exact(half_angle)
+    (n1_x, n1_y, n1_z), (f_x, f_y, f_z), (g_x, g_y, g_z) = frame
+    x, y = half_angle
+    x0 = (x*x)
+    x1 = (y*y)
+    # square of the half angle's length [1]
+    xy = x0 + x1
+    x2 = 1.0/xy
+    x3 = 2.0*x*x2*y
+    x4 = x2*(x0 - x1)
+    # direction from C to B_2, the platform turned by phi about n_1 (5) [1]
+    n2_x = SQRT3_2*(f_x*x4 + g_x*x3) - arb(1)/2*n1_x
+    n2_y = SQRT3_2*(f_y*x4 + g_y*x3) - arb(1)/2*n1_y
+    n2_z = SQRT3_2*(f_z*x4 + g_z*x3) - arb(1)/2*n1_z
+    return TurnedDirections(
+        [[n1_x, n1_y, n1_z], [n2_x, n2_y, n2_z]],
+    )
+
+
+class Circles(NamedTuple):
+    """What `circles` returns."""
+
+    angle: Nested
+    cone: Nested
+    first: Nested
+    second: Nested
+
+
+def circles(a: Nested, c: Nested, lengths: Nested, start: Nested) -> Circles:
+    """Two equations in the half angles t, s of legs 1 and 2: entry [k, l] is at t^k s^l.
+
+    Equations (5), (6) of the paper; base frame.
+    716 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    lengths : nested list (..., 3)
+        q1, q2, q3 [m]
+    start : nested list (..., 2, 2)
+        cos, sin of the angles of legs 1, 2 at t = s = 0 [1]
+
+    Returns
+    -------
+    angle : nested list (..., 5, 5)
+        n_1 and n_2 are 120° apart [m⁴]
+    cone : nested list (..., 5, 5)
+        limb 3 closes [m⁶]
+    first : nested list (..., 3, 3)
+        (1 + t²)(b_1 − c) at 1, t, t², a row each [m]
+    second : nested list (..., 3, 3)
+        (1 + s²)(b_2 − c) at 1, s, s², a row each [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    lengths = _exact(lengths)
+    start = _exact(start)
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    (start_11, start_12), (start_21, start_22) = start
+    # from C to A_1 [m]
+    center1_x = a - c_x
+    x0 = -c_y
+    center1_y = x0
+    x1 = -c_z
+    center1_z = x1
+    # direction of leg 1 a quarter turn on [1]
+    up1_y = -start_12
+    x2 = q1*start_11
+    # (1 + t²)(b_1 − c) at 1 [m]
+    v10_y = center1_y + x2
+    x3 = q1*start_12
+    v10_z = center1_z + x3
+    # (1 + t²)(b_1 − c) at t [m]
+    v11_y = 2.0*q1*up1_y
+    v11_z = 2.0*x2
+    # (1 + t²)(b_1 − c) at t² [m]
+    v12_y = center1_y - x2
+    v12_z = center1_z - x3
+    # from C to A_2 [m]
+    center2_x = -arb(1)/2*a - c_x
+    center2_y = SQRT3_2*a + x0
+    center2_z = x1
+    # direction of leg 2 at half angle 0 [1]
+    near2_x = -SQRT3_2*start_21
+    near2_y = -arb(1)/2*start_21
+    # direction of leg 2 a quarter turn on [1]
+    up2_x = SQRT3_2*start_22
+    up2_y = arb(1)/2*start_22
+    x4 = near2_x*q2
+    # (1 + t²)(b_2 − c) at 1 [m]
+    v20_x = center2_x + x4
+    x5 = near2_y*q2
+    v20_y = center2_y + x5
+    x6 = q2*start_22
+    v20_z = center2_z + x6
+    x7 = 2.0*q2
+    # (1 + t²)(b_2 − c) at t [m]
+    v21_x = up2_x*x7
+    v21_y = up2_y*x7
+    v21_z = start_21*x7
+    # (1 + t²)(b_2 − c) at t² [m]
+    v22_x = center2_x - x4
+    v22_y = center2_y - x5
+    v22_z = center2_z - x6
+    x8 = arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [1]
+    h3 = SQRT3_2*c_y + a + x8
+    # gt_i = ht_i · n_i [m]
+    ht3_x = SQRT3_2*h3 - SQRT3_2*x8 + arb(1)/4*c_y
+    ht3_y = -SQRT3_2*(SQRT3_2*c_x - arb(1)/2*c_y) - arb(1)/2*h3
+    # gz_i = hz_i · n_i [m]
+    hz3_x = -arb(1)/2*c_z
+    hz3_y = -SQRT3_2*c_z
+    # p_i q_i = hp_i · n_i [m]
+    hp3_x = -arb(1)/2*q3
+    hp3_y = -SQRT3_2*q3
+    x9 = (center1_x*center1_x)
+    # coefficients of |v_1|² [m²]
+    N1_1 = (v10_y*v10_y) + (v10_z*v10_z) + x9
+    x10 = 2.0*v10_y
+    x11 = 2.0*v10_z
+    N1_2 = v11_y*x10 + v11_z*x11
+    N1_3 = (v11_y*v11_y) + (v11_z*v11_z) + v12_y*x10 + v12_z*x11 + 2.0*x9
+    N1_4 = 2.0*v11_y*v12_y + 2.0*v11_z*v12_z
+    N1_5 = (v12_y*v12_y) + (v12_z*v12_z) + x9
+    x12 = center1_x*ht3_x
+    # coefficients of ht_3 · v_1 [m²]
+    htv1_x = ht3_y*v10_y + x12
+    htv1_y = ht3_y*v11_y
+    htv1_z = ht3_y*v12_y + x12
+    x13 = center1_x*hz3_x
+    # coefficients of hz_3 · v_1 [m²]
+    hzv1_x = h3*v10_z + hz3_y*v10_y + x13
+    hzv1_y = h3*v11_z + hz3_y*v11_y
+    hzv1_z = h3*v12_z + hz3_y*v12_y + x13
+    x14 = center1_x*hp3_x
+    # coefficients of hp_3 · v_1 [m²]
+    hpv1_x = hp3_y*v10_y + x14
+    hpv1_y = hp3_y*v11_y
+    hpv1_z = hp3_y*v12_y + x14
+    # coefficients of v_1ᵀ M_3 v_1 [m⁴]
+    C1_1 = -(hpv1_x*hpv1_x) + (htv1_x*htv1_x) + (hzv1_x*hzv1_x)
+    x15 = 2.0*hpv1_x
+    x16 = 2.0*htv1_x
+    x17 = 2.0*hzv1_x
+    C1_2 = -hpv1_y*x15 + htv1_y*x16 + hzv1_y*x17
+    C1_3 = -(hpv1_y*hpv1_y) - hpv1_z*x15 + (htv1_y*htv1_y) + htv1_z*x16 + (hzv1_y*hzv1_y) + hzv1_z*x17
+    C1_4 = -2.0*hpv1_y*hpv1_z + 2.0*htv1_y*htv1_z + 2.0*hzv1_y*hzv1_z
+    C1_5 = -(hpv1_z*hpv1_z) + (htv1_z*htv1_z) + (hzv1_z*hzv1_z)
+    # coefficients of |v_2|² [m²]
+    N2_1 = (v20_x*v20_x) + (v20_y*v20_y) + (v20_z*v20_z)
+    x18 = 2.0*v20_x
+    x19 = 2.0*v20_y
+    x20 = 2.0*v20_z
+    N2_2 = v21_x*x18 + v21_y*x19 + v21_z*x20
+    N2_3 = (v21_x*v21_x) + (v21_y*v21_y) + (v21_z*v21_z) + v22_x*x18 + v22_y*x19 + v22_z*x20
+    N2_4 = 2.0*v21_x*v22_x + 2.0*v21_y*v22_y + 2.0*v21_z*v22_z
+    N2_5 = (v22_x*v22_x) + (v22_y*v22_y) + (v22_z*v22_z)
+    # coefficients of ht_3 · v_2 [m²]
+    htv2_x = ht3_x*v20_x + ht3_y*v20_y
+    htv2_y = ht3_x*v21_x + ht3_y*v21_y
+    htv2_z = ht3_x*v22_x + ht3_y*v22_y
+    # coefficients of hz_3 · v_2 [m²]
+    hzv2_x = h3*v20_z + hz3_x*v20_x + hz3_y*v20_y
+    hzv2_y = h3*v21_z + hz3_x*v21_x + hz3_y*v21_y
+    hzv2_z = h3*v22_z + hz3_x*v22_x + hz3_y*v22_y
+    # coefficients of hp_3 · v_2 [m²]
+    hpv2_x = hp3_x*v20_x + hp3_y*v20_y
+    hpv2_y = hp3_x*v21_x + hp3_y*v21_y
+    hpv2_z = hp3_x*v22_x + hp3_y*v22_y
+    # coefficients of v_2ᵀ M_3 v_2 [m⁴]
+    C2_1 = -(hpv2_x*hpv2_x) + (htv2_x*htv2_x) + (hzv2_x*hzv2_x)
+    x21 = 2.0*hpv2_x
+    x22 = 2.0*htv2_x
+    x23 = 2.0*hzv2_x
+    C2_2 = -hpv2_y*x21 + htv2_y*x22 + hzv2_y*x23
+    C2_3 = -(hpv2_y*hpv2_y) - hpv2_z*x21 + (htv2_y*htv2_y) + htv2_z*x22 + (hzv2_y*hzv2_y) + hzv2_z*x23
+    C2_4 = -2.0*hpv2_y*hpv2_z + 2.0*htv2_y*htv2_z + 2.0*hzv2_y*hzv2_z
+    C2_5 = -(hpv2_z*hpv2_z) + (htv2_z*htv2_z) + (hzv2_z*hzv2_z)
+    x24 = center1_x*v20_x
+    # coefficients of v_1 · v_2 [m²]
+    N12_11 = v10_y*v20_y + v10_z*v20_z + x24
+    x25 = center1_x*v21_x
+    N12_12 = v10_y*v21_y + v10_z*v21_z + x25
+    x26 = center1_x*v22_x
+    N12_13 = v10_y*v22_y + v10_z*v22_z + x26
+    N12_21 = v11_y*v20_y + v11_z*v20_z
+    N12_22 = v11_y*v21_y + v11_z*v21_z
+    N12_23 = v11_y*v22_y + v11_z*v22_z
+    N12_31 = v12_y*v20_y + v12_z*v20_z + x24
+    N12_32 = v12_y*v21_y + v12_z*v21_z + x25
+    N12_33 = v12_y*v22_y + v12_z*v22_z + x26
+    # coefficients of v_1ᵀ M_3 v_2 [m⁴]
+    C12_11 = -hpv1_x*hpv2_x + htv1_x*htv2_x + hzv1_x*hzv2_x
+    C12_12 = -hpv1_x*hpv2_y + htv1_x*htv2_y + hzv1_x*hzv2_y
+    C12_13 = -hpv1_x*hpv2_z + htv1_x*htv2_z + hzv1_x*hzv2_z
+    C12_21 = -hpv1_y*hpv2_x + htv1_y*htv2_x + hzv1_y*hzv2_x
+    C12_22 = -hpv1_y*hpv2_y + htv1_y*htv2_y + hzv1_y*hzv2_y
+    C12_23 = -hpv1_y*hpv2_z + htv1_y*htv2_z + hzv1_y*hzv2_z
+    C12_31 = -hpv1_z*hpv2_x + htv1_z*htv2_x + hzv1_z*hzv2_x
+    C12_32 = -hpv1_z*hpv2_y + htv1_z*htv2_y + hzv1_z*hzv2_y
+    C12_33 = -hpv1_z*hpv2_z + htv1_z*htv2_z + hzv1_z*hzv2_z
+    # coefficients of 4 (v_1·v_2)² − |v_1|² |v_2|² (5) [m⁴]
+    angle_11 = 4.0*(N12_11*N12_11) - N1_1*N2_1
+    x27 = 8.0*N12_11
+    angle_12 = N12_12*x27 - N1_1*N2_2
+    angle_13 = 4.0*(N12_12*N12_12) + N12_13*x27 - N1_1*N2_3
+    x28 = 8.0*N12_12
+    angle_14 = N12_13*x28 - N1_1*N2_4
+    angle_15 = 4.0*(N12_13*N12_13) - N1_1*N2_5
+    angle_21 = N12_21*x27 - N1_2*N2_1
+    angle_22 = N12_21*x28 + N12_22*x27 - N1_2*N2_2
+    x29 = 8.0*N12_13
+    angle_23 = N12_21*x29 + N12_22*x28 + N12_23*x27 - N1_2*N2_3
+    angle_24 = N12_22*x29 + N12_23*x28 - N1_2*N2_4
+    angle_25 = N12_23*x29 - N1_2*N2_5
+    angle_31 = 4.0*(N12_21*N12_21) + N12_31*x27 - N1_3*N2_1
+    x30 = 8.0*N12_21
+    angle_32 = N12_22*x30 + N12_31*x28 + N12_32*x27 - N1_3*N2_2
+    angle_33 = 4.0*(N12_22*N12_22) + N12_23*x30 + N12_31*x29 + N12_32*x28 + N12_33*x27 - N1_3*N2_3
+    x31 = 8.0*N12_22
+    angle_34 = N12_23*x31 + N12_32*x29 + N12_33*x28 - N1_3*N2_4
+    angle_35 = 4.0*(N12_23*N12_23) + N12_33*x29 - N1_3*N2_5
+    angle_41 = N12_31*x30 - N1_4*N2_1
+    angle_42 = N12_31*x31 + N12_32*x30 - N1_4*N2_2
+    x32 = 8.0*N12_23
+    angle_43 = N12_31*x32 + N12_32*x31 + N12_33*x30 - N1_4*N2_3
+    angle_44 = N12_32*x32 + N12_33*x31 - N1_4*N2_4
+    angle_45 = N12_33*x32 - N1_4*N2_5
+    angle_51 = 4.0*(N12_31*N12_31) - N1_5*N2_1
+    x33 = 8.0*N12_31
+    angle_52 = N12_32*x33 - N1_5*N2_2
+    angle_53 = 4.0*(N12_32*N12_32) + N12_33*x33 - N1_5*N2_3
+    angle_54 = 8.0*N12_32*N12_33 - N1_5*N2_4
+    angle_55 = 4.0*(N12_33*N12_33) - N1_5*N2_5
+    x34 = 4.0*C12_11
+    # coefficients of |v_2|² v_1ᵀM_3v_1 − 4 (v_1·v_2) v_1ᵀM_3v_2 + |v_1|² v_2ᵀM_3v_2 (6) [m⁶]
+    cone_11 = C1_1*N2_1 + C2_1*N1_1 - N12_11*x34
+    x35 = 4.0*C12_12
+    cone_12 = C1_1*N2_2 + C2_2*N1_1 - N12_11*x35 - N12_12*x34
+    x36 = 4.0*C12_13
+    cone_13 = C1_1*N2_3 + C2_3*N1_1 - N12_11*x36 - N12_12*x35 - N12_13*x34
+    cone_14 = C1_1*N2_4 + C2_4*N1_1 - N12_12*x36 - N12_13*x35
+    cone_15 = C1_1*N2_5 + C2_5*N1_1 - N12_13*x36
+    x37 = 4.0*C12_21
+    cone_21 = C1_2*N2_1 + C2_1*N1_2 - N12_11*x37 - N12_21*x34
+    x38 = 4.0*C12_22
+    cone_22 = C1_2*N2_2 + C2_2*N1_2 - N12_11*x38 - N12_12*x37 - N12_21*x35 - N12_22*x34
+    x39 = 4.0*C12_23
+    cone_23 = C1_2*N2_3 + C2_3*N1_2 - N12_11*x39 - N12_12*x38 - N12_13*x37 - N12_21*x36 - N12_22*x35 - N12_23*x34
+    cone_24 = C1_2*N2_4 + C2_4*N1_2 - N12_12*x39 - N12_13*x38 - N12_22*x36 - N12_23*x35
+    cone_25 = C1_2*N2_5 + C2_5*N1_2 - N12_13*x39 - N12_23*x36
+    x40 = 4.0*C12_31
+    cone_31 = C1_3*N2_1 + C2_1*N1_3 - N12_11*x40 - N12_21*x37 - N12_31*x34
+    x41 = 4.0*C12_32
+    cone_32 = C1_3*N2_2 + C2_2*N1_3 - N12_11*x41 - N12_12*x40 - N12_21*x38 - N12_22*x37 - N12_31*x35 - N12_32*x34
+    x42 = 4.0*C12_33
+    cone_33 = C1_3*N2_3 + C2_3*N1_3 - N12_11*x42 - N12_12*x41 - N12_13*x40 - N12_21*x39 - N12_22*x38 - N12_23*x37 - N12_31*x36 - N12_32*x35 - N12_33*x34
+    cone_34 = C1_3*N2_4 + C2_4*N1_3 - N12_12*x42 - N12_13*x41 - N12_22*x39 - N12_23*x38 - N12_32*x36 - N12_33*x35
+    cone_35 = C1_3*N2_5 + C2_5*N1_3 - N12_13*x42 - N12_23*x39 - N12_33*x36
+    cone_41 = C1_4*N2_1 + C2_1*N1_4 - N12_21*x40 - N12_31*x37
+    cone_42 = C1_4*N2_2 + C2_2*N1_4 - N12_21*x41 - N12_22*x40 - N12_31*x38 - N12_32*x37
+    cone_43 = C1_4*N2_3 + C2_3*N1_4 - N12_21*x42 - N12_22*x41 - N12_23*x40 - N12_31*x39 - N12_32*x38 - N12_33*x37
+    cone_44 = C1_4*N2_4 + C2_4*N1_4 - N12_22*x42 - N12_23*x41 - N12_32*x39 - N12_33*x38
+    cone_45 = C1_4*N2_5 + C2_5*N1_4 - N12_23*x42 - N12_33*x39
+    cone_51 = C1_5*N2_1 + C2_1*N1_5 - N12_31*x40
+    cone_52 = C1_5*N2_2 + C2_2*N1_5 - N12_31*x41 - N12_32*x40
+    cone_53 = C1_5*N2_3 + C2_3*N1_5 - N12_31*x42 - N12_32*x41 - N12_33*x40
+    cone_54 = C1_5*N2_4 + C2_4*N1_5 - N12_32*x42 - N12_33*x41
+    cone_55 = C1_5*N2_5 + C2_5*N1_5 - N12_33*x42
+    return Circles(
+        [[angle_11, angle_12, angle_13, angle_14, angle_15], [angle_21, angle_22, angle_23, angle_24, angle_25], [angle_31, angle_32, angle_33, angle_34, angle_35], [angle_41, angle_42, angle_43, angle_44, angle_45], [angle_51, angle_52, angle_53, angle_54, angle_55]],
+        [[cone_11, cone_12, cone_13, cone_14, cone_15], [cone_21, cone_22, cone_23, cone_24, cone_25], [cone_31, cone_32, cone_33, cone_34, cone_35], [cone_41, cone_42, cone_43, cone_44, cone_45], [cone_51, cone_52, cone_53, cone_54, cone_55]],
+        [[center1_x, v10_y, v10_z], [0.0, v11_y, v11_z], [center1_x, v12_y, v12_z]],
+        [[v20_x, v20_y, v20_z], [v21_x, v21_y, v21_z], [v22_x, v22_y, v22_z]],
+    )
+
+
+class Arms(NamedTuple):
+    """What `arms` returns."""
+
+    arms: Nested
+
+
+def arms(a: Nested, c: Nested, lengths: Nested, start: Nested, half_tangents: Nested) -> Arms:
+    """The directions to B_1 and B_2 at half angles t, s of legs 1 and 2.
+
+    Equations (3) of the paper; base frame.
+    71 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    lengths : nested list (..., 3)
+        q1, q2, q3 [m]
+    start : nested list (..., 2, 2)
+        cos, sin of the angles of legs 1, 2 at t = s = 0 [1]
+    half_tangents : nested list (..., 2)
+        t, s [1]
+
+    Returns
+    -------
+    arms : nested list (..., 2, 3)
+        from C to B_1 and B_2, a row each [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    lengths = _exact(lengths)
+    start = _exact(start)
+    half_tangents = _exact(half_tangents)
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    (start_11, start_12), (start_21, start_22) = start
+    t, s = half_tangents
+    # from C to A_1 [m]
+    center1_x = a - c_x
+    x0 = -c_y
+    center1_y = x0
+    x1 = -c_z
+    center1_z = x1
+    # direction of leg 1 a quarter turn on [1]
+    up1_y = -start_12
+    x2 = q1*start_11
+    # (1 + t²)(b_1 − c) at 1 [m]
+    v10_y = center1_y + x2
+    x3 = q1*start_12
+    v10_z = center1_z + x3
+    # (1 + t²)(b_1 − c) at t [m]
+    v11_y = 2.0*q1*up1_y
+    v11_z = 2.0*x2
+    # (1 + t²)(b_1 − c) at t² [m]
+    v12_y = center1_y - x2
+    v12_z = center1_z - x3
+    # from C to A_2 [m]
+    center2_x = -arb(1)/2*a - c_x
+    center2_y = SQRT3_2*a + x0
+    center2_z = x1
+    # direction of leg 2 at half angle 0 [1]
+    near2_x = -SQRT3_2*start_21
+    near2_y = -arb(1)/2*start_21
+    # direction of leg 2 a quarter turn on [1]
+    up2_x = SQRT3_2*start_22
+    up2_y = arb(1)/2*start_22
+    x4 = near2_x*q2
+    # (1 + t²)(b_2 − c) at 1 [m]
+    v20_x = center2_x + x4
+    x5 = near2_y*q2
+    v20_y = center2_y + x5
+    x6 = q2*start_22
+    v20_z = center2_z + x6
+    x7 = 2.0*q2
+    # (1 + t²)(b_2 − c) at t [m]
+    v21_x = up2_x*x7
+    v21_y = up2_y*x7
+    v21_z = start_21*x7
+    # (1 + t²)(b_2 − c) at t² [m]
+    v22_x = center2_x - x4
+    v22_y = center2_y - x5
+    v22_z = center2_z - x6
+    x8 = (t*t)
+    x9 = 1.0/(x8 + 1.0)
+    # from C to B_1 [m]
+    arm1_x = x9*(center1_x*x8 + center1_x)
+    arm1_y = x9*(t*v11_y + v10_y + v12_y*x8)
+    arm1_z = x9*(t*v11_z + v10_z + v12_z*x8)
+    x10 = (s*s)
+    x11 = 1.0/(x10 + 1.0)
+    # from C to B_2 [m]
+    arm2_x = x11*(s*v21_x + v20_x + v22_x*x10)
+    arm2_y = x11*(s*v21_y + v20_y + v22_y*x10)
+    arm2_z = x11*(s*v21_z + v20_z + v22_z*x10)
+    return Arms(
+        [[arm1_x, arm1_y, arm1_z], [arm2_x, arm2_y, arm2_z]],
+    )
+
+
+class NewtonStep(NamedTuple):
+    """What `newton_step` returns."""
+
+    next: Nested
+    turn: Nested
+    residual: Nested
+    gradient: Nested
+    volume: Nested
+
+
+def newton_step(a: Nested, c: Nested, lengths: Nested, directions: Nested) -> NewtonStep:
+    """One step of Newton's method on the rotation, for the three closure equations.
+
+    Equations (6) of the paper; base frame.
+    264 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    lengths : nested list (..., 3)
+        q1, q2, q3 [m]
+    directions : nested list (..., 2, 3)
+        n_1 and n_2, a row each [1]
+
+    Returns
+    -------
+    next : nested list (..., 2, 3)
+        n_1, n_2 turned [1]
+    turn : nested list (..., 3)
+        the step, a rotation vector [rad]
+    residual : nested list (..., 3)
+        F_1, F_2, F_3 [m²]
+    gradient : nested list (..., 3, 3)
+        of F_i by a turn, a row each [m²]
+    volume : nested list (...)
+        determinant of the gradient [m⁶]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    lengths = _exact(lengths)
+    directions = _exact(directions)
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    (n1_x, n1_y, n1_z), (n2_x, n2_y, n2_z) = directions
+    # the third direction (5) [1]
+    n3_x = -n1_x - n2_x
+    n3_y = -n1_y - n2_y
+    n3_z = -n1_z - n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    x0 = (q1*q1)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F1 = (gt1*gt1) + (gz1*gz1) - x0*(n1_x*n1_x)
+    x1 = 2.0*gt1
+    x2 = 2.0*gz1
+    # gradient of F_i in n_i (6) [m²]
+    dF1_x = c_y*x1 + c_z*x2 - 2.0*n1_x*x0
+    dF1_y = h1*x1
+    dF1_z = h1*x2
+    x3 = SQRT3_2*c_y
+    x4 = arb(1)/2*c_x
+    x5 = a + x4
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x3 + x5
+    x6 = arb(1)/2*n2_x
+    x7 = SQRT3_2*n2_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = -x6 + x7
+    x8 = arb(1)/4*c_y
+    x9 = SQRT3_2*x4
+    x10 = -SQRT3_2*h2 + x8 + x9
+    x11 = arb(1)/2*c_y
+    x12 = SQRT3_2*c_x
+    x13 = SQRT3_2*(-x11 - x12) - arb(1)/2*h2
+    # p_i times the horizontal part of the leg [m]
+    gt2 = n2_x*x10 + n2_y*x13
+    # p_i times the vertical part of the leg [m]
+    gz2 = -c_z*x6 + c_z*x7 + h2*n2_z
+    x14 = (q2*q2)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F2 = (gt2*gt2) + (gz2*gz2) - x14*(p2*p2)
+    x15 = c_z*gz2
+    x16 = p2*x14
+    x17 = 2.0*gt2
+    # gradient of F_i in n_i (6) [m²]
+    dF2_x = x10*x17 - x15 + x16
+    x18 = 2.0*SQRT3_2
+    dF2_y = x13*x17 + x15*x18 - x16*x18
+    dF2_z = 2.0*gz2*h2
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x3 + x5
+    x19 = arb(1)/2*n3_x
+    x20 = SQRT3_2*n3_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -x19 - x20
+    x21 = SQRT3_2*h3 + x8 - x9
+    x22 = -SQRT3_2*(-x11 + x12) - arb(1)/2*h3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = n3_x*x21 + n3_y*x22
+    # p_i times the vertical part of the leg [m]
+    gz3 = -c_z*x19 - c_z*x20 + h3*n3_z
+    x23 = (q3*q3)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F3 = (gt3*gt3) + (gz3*gz3) - x23*(p3*p3)
+    x24 = c_z*gz3
+    x25 = p3*x23
+    x26 = 2.0*gt3
+    # gradient of F_i in n_i (6) [m²]
+    dF3_x = x21*x26 - x24 + x25
+    dF3_y = -x18*x24 + x18*x25 + x22*x26
+    dF3_z = 2.0*gz3*h3
+    # derivative of F_1 by a turn of the platform (6) [m²]
+    G1_x = -dF1_y*n1_z + dF1_z*n1_y
+    G1_y = dF1_x*n1_z - dF1_z*n1_x
+    G1_z = -dF1_x*n1_y + dF1_y*n1_x
+    # derivative of F_2 by a turn of the platform (6) [m²]
+    G2_x = -dF2_y*n2_z + dF2_z*n2_y
+    G2_y = dF2_x*n2_z - dF2_z*n2_x
+    G2_z = -dF2_x*n2_y + dF2_y*n2_x
+    # derivative of F_3 by a turn of the platform (6) [m²]
+    G3_x = -dF3_y*n3_z + dF3_z*n3_y
+    G3_y = dF3_x*n3_z - dF3_z*n3_x
+    G3_z = -dF3_x*n3_y + dF3_y*n3_x
+    x27 = G2_y*G3_z - G2_z*G3_y
+    x28 = -G2_x*G3_z + G2_z*G3_x
+    x29 = G2_x*G3_y - G2_y*G3_x
+    # triple product of the G_i: zero where modes meet [m⁶]
+    volume = G1_x*x27 + G1_y*x28 + G1_z*x29
+    x30 = 1.0/volume
+    # Newton's turn: G_i·turn = −F_i [rad]
+    turn_x = -x30*(F1*x27 + F2*(-G1_y*G3_z + G1_z*G3_y) + F3*(G1_y*G2_z - G1_z*G2_y))
+    turn_y = -x30*(F1*x28 + F2*(G1_x*G3_z - G1_z*G3_x) + F3*(-G1_x*G2_z + G1_z*G2_x))
+    turn_z = -x30*(F1*x29 + F2*(-G1_x*G3_y + G1_y*G3_x) + F3*(G1_x*G2_y - G1_y*G2_x))
+    # half of it [1]
+    half_turn_x = arb(1)/2*turn_x
+    half_turn_y = arb(1)/2*turn_y
+    half_turn_z = arb(1)/2*turn_z
+    # factor of Cayley's rotation [1]
+    cayley = 2.0/((half_turn_x*half_turn_x) + (half_turn_y*half_turn_y) + (half_turn_z*half_turn_z) + 1.0)
+    x31 = half_turn_x*n1_y - half_turn_y*n1_x + n1_z
+    x32 = -half_turn_x*n1_z + half_turn_z*n1_x + n1_y
+    # n_1 turned [1]
+    next1_x = cayley*(half_turn_y*x31 - half_turn_z*x32) + n1_x
+    x33 = half_turn_y*n1_z - half_turn_z*n1_y + n1_x
+    next1_y = cayley*(-half_turn_x*x31 + half_turn_z*x33) + n1_y
+    next1_z = cayley*(half_turn_x*x32 - half_turn_y*x33) + n1_z
+    x34 = half_turn_x*n2_y - half_turn_y*n2_x + n2_z
+    x35 = -half_turn_x*n2_z + half_turn_z*n2_x + n2_y
+    # n_2 turned [1]
+    next2_x = cayley*(half_turn_y*x34 - half_turn_z*x35) + n2_x
+    x36 = half_turn_y*n2_z - half_turn_z*n2_y + n2_x
+    next2_y = cayley*(-half_turn_x*x34 + half_turn_z*x36) + n2_y
+    next2_z = cayley*(half_turn_x*x35 - half_turn_y*x36) + n2_z
+    return NewtonStep(
+        [[next1_x, next1_y, next1_z], [next2_x, next2_y, next2_z]],
+        [turn_x, turn_y, turn_z],
+        [F1, F2, F3],
+        [[G1_x, G1_y, G1_z], [G2_x, G2_y, G2_z], [G3_x, G3_y, G3_z]],
+        volume,
+    )
+
+
+class Fold(NamedTuple):
+    """What `fold` returns."""
+
+    residual: Nested
+    gradient: Nested
+    volume: Nested
+    volume_gradient: Nested
+    by_joints: Nested
+
+
+def fold(a: Nested, joints: Nested, directions: Nested) -> Fold:
+    """What decides whether two assembly modes have merged.
+
+    Equations (6) of the paper; base frame.
+    663 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    joints : nested list (..., 6)
+        q1 ... q6 [m, rad]
+    directions : nested list (..., 2, 3)
+        n_1 and n_2, a row each [1]
+
+    Returns
+    -------
+    residual : nested list (..., 3)
+        F_1, F_2, F_3 [m²]
+    gradient : nested list (..., 3, 3)
+        of F_i by a turn, a row each [m²]
+    volume : nested list (...)
+        determinant of the gradient [m⁶]
+    volume_gradient : nested list (..., 3)
+        of the volume by a turn [m⁶]
+    by_joints : nested list (..., 3, 6)
+        of F_i by the logarithm of q_j [m²]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    joints = _exact(joints)
+    directions = _exact(directions)
+    q1, q2, q3, q4, q5, q6 = joints
+    (n1_x, n1_y, n1_z), (n2_x, n2_y, n2_z) = directions
+    x0 = cos(q4)
+    x1 = cos(q5)
+    x2 = x0*x1
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = x2
+    x3 = sin(q4)
+    x4 = x1*x3
+    lambda_y = x4
+    x5 = sin(q5)
+    lambda_z = x5
+    # position of the platform's centre C (1) [m]
+    c_x = lambda_x*q6
+    c_y = lambda_y*q6
+    c_z = lambda_z*q6
+    # the third direction (5) [1]
+    n3_x = -n1_x - n2_x
+    n3_y = -n1_y - n2_y
+    n3_z = -n1_z - n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    x6 = h1*n1_y
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + x6
+    x7 = h1*n1_z
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + x7
+    x8 = (q1*q1)
+    x9 = x8*(n1_x*n1_x)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F1 = (gt1*gt1) + (gz1*gz1) - x9
+    x10 = 2.0*gt1
+    x11 = 2.0*gz1
+    x12 = 2.0*x8
+    # gradient of F_i in n_i (6) [m²]
+    dF1_x = c_y*x10 + c_z*x11 - n1_x*x12
+    dF1_y = h1*x10
+    dF1_z = h1*x11
+    x13 = SQRT3_2*c_y
+    x14 = arb(1)/2*c_x
+    x15 = a + x14
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x13 + x15
+    x16 = arb(1)/2*n2_x
+    x17 = SQRT3_2*n2_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = -x16 + x17
+    x18 = arb(1)/4*c_y
+    x19 = SQRT3_2*x14
+    x20 = -SQRT3_2*h2 + x18 + x19
+    x21 = arb(1)/2*c_y
+    x22 = SQRT3_2*c_x
+    x23 = SQRT3_2*(-x21 - x22) - arb(1)/2*h2
+    # p_i times the horizontal part of the leg [m]
+    gt2 = n2_x*x20 + n2_y*x23
+    # p_i times the vertical part of the leg [m]
+    gz2 = -c_z*x16 + c_z*x17 + h2*n2_z
+    x24 = (q2*q2)
+    x25 = x24*(p2*p2)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F2 = (gt2*gt2) + (gz2*gz2) - x25
+    x26 = c_z*gz2
+    x27 = p2*x24
+    x28 = 2.0*gt2
+    # gradient of F_i in n_i (6) [m²]
+    dF2_x = x20*x28 - x26 + x27
+    x29 = 2.0*SQRT3_2
+    dF2_y = x23*x28 + x26*x29 - x27*x29
+    x30 = 2.0*h2
+    dF2_z = gz2*x30
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x13 + x15
+    x31 = arb(1)/2*n3_x
+    x32 = SQRT3_2*n3_y
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -x31 - x32
+    x33 = SQRT3_2*h3 + x18 - x19
+    x34 = -SQRT3_2*(-x21 + x22) - arb(1)/2*h3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = n3_x*x33 + n3_y*x34
+    # p_i times the vertical part of the leg [m]
+    gz3 = -c_z*x31 - c_z*x32 + h3*n3_z
+    x35 = (q3*q3)
+    x36 = x35*(p3*p3)
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F3 = (gt3*gt3) + (gz3*gz3) - x36
+    x37 = c_z*gz3
+    x38 = p3*x35
+    x39 = 2.0*gt3
+    # gradient of F_i in n_i (6) [m²]
+    dF3_x = x33*x39 - x37 + x38
+    dF3_y = -x29*x37 + x29*x38 + x34*x39
+    dF3_z = 2.0*gz3*h3
+    x40 = dF1_y*n1_z
+    # derivative of F_1 by a turn of the platform (6) [m²]
+    G1_x = dF1_z*n1_y - x40
+    x41 = dF1_z*n1_x
+    G1_y = dF1_x*n1_z - x41
+    x42 = dF1_x*n1_y
+    G1_z = dF1_y*n1_x - x42
+    x43 = dF2_y*n2_z
+    # derivative of F_2 by a turn of the platform (6) [m²]
+    G2_x = dF2_z*n2_y - x43
+    x44 = dF2_z*n2_x
+    G2_y = dF2_x*n2_z - x44
+    x45 = dF2_x*n2_y
+    G2_z = dF2_y*n2_x - x45
+    x46 = dF3_y*n3_z
+    # derivative of F_3 by a turn of the platform (6) [m²]
+    G3_x = dF3_z*n3_y - x46
+    x47 = dF3_z*n3_x
+    G3_y = dF3_x*n3_z - x47
+    x48 = dF3_x*n3_y
+    G3_z = dF3_y*n3_x - x48
+    x49 = G2_y*G3_z - G2_z*G3_y
+    x50 = -G2_x*G3_z + G2_z*G3_x
+    x51 = G2_x*G3_y - G2_y*G3_x
+    # triple product of the G_i: zero where modes meet [m⁶]
+    volume = G1_x*x49 + G1_y*x50 + G1_z*x51
+    # change of n_1 by a turn about x [1]
+    dn1x_y = -n1_z
+    x52 = 2.0*h1
+    x53 = 2.0*c_z
+    # change of dF_1 [m²]
+    ddF1x_x = c_y*dn1x_y*x52 + x53*x6
+    x54 = 2.0*(h1*h1)
+    ddF1x_y = dn1x_y*x54
+    ddF1x_z = n1_y*x54
+    # change of G_1 [m²]
+    dG1x_x = -dF1_y*n1_y + dF1_z*dn1x_y - ddF1x_y*n1_z + ddF1x_z*n1_y
+    dG1x_y = ddF1x_x*n1_z - ddF1x_z*n1_x + x42
+    dG1x_z = -dF1_x*dn1x_y - ddF1x_x*n1_y + ddF1x_y*n1_x
+    # change of n_1 by a turn about y [1]
+    dn1y_z = -n1_x
+    x55 = 2.0*n1_z
+    x56 = c_z*x55 + dn1y_z*x52
+    # change of dF_1 [m²]
+    ddF1y_x = x55*(c_y*c_y) + c_z*x56 - n1_z*x12
+    ddF1y_y = 2.0*c_y*x7
+    ddF1y_z = h1*x56
+    # change of G_1 [m²]
+    dG1y_x = -dF1_y*dn1y_z - ddF1y_y*n1_z + ddF1y_z*n1_y
+    dG1y_y = dF1_x*dn1y_z - dF1_z*n1_z + ddF1y_x*n1_z - ddF1y_z*n1_x
+    dG1y_z = -ddF1y_x*n1_y + ddF1y_y*n1_x + x40
+    # change of n_1 by a turn about z [1]
+    dn1z_x = -n1_y
+    x57 = 2.0*dn1z_x
+    x58 = c_y*x57 + n1_x*x52
+    # change of dF_1 [m²]
+    ddF1z_x = c_y*x58 + x57*(c_z*c_z) - dn1z_x*x12
+    ddF1z_y = h1*x58
+    ddF1z_z = c_z*dn1z_x*x52
+    # change of G_1 [m²]
+    dG1z_x = -ddF1z_y*n1_z + ddF1z_z*n1_y + x41
+    dG1z_y = -dF1_z*dn1z_x + ddF1z_x*n1_z - ddF1z_z*n1_x
+    dG1z_z = -dF1_x*n1_x + dF1_y*dn1z_x - ddF1z_x*n1_y + ddF1z_y*n1_x
+    # change of n_2 by a turn about x [1]
+    dn2x_y = -n2_z
+    x59 = dn2x_y*x24
+    x60 = 2.0*dn2x_y
+    x61 = SQRT3_2*c_z
+    x62 = n2_y*x30 + x60*x61
+    x63 = c_z*x62
+    x64 = x20*x23
+    # change of dF_2 [m²]
+    ddF2x_x = SQRT3_2*x59 + x60*x64 - arb(1)/2*x63
+    ddF2x_y = SQRT3_2*x63 + x60*(x23*x23) - arb(3)/2*x59
+    ddF2x_z = h2*x62
+    # change of G_2 [m²]
+    dG2x_x = -dF2_y*n2_y + dF2_z*dn2x_y - ddF2x_y*n2_z + ddF2x_z*n2_y
+    dG2x_y = ddF2x_x*n2_z - ddF2x_z*n2_x + x45
+    dG2x_z = -dF2_x*dn2x_y - ddF2x_x*n2_y + ddF2x_y*n2_x
+    # change of n_2 by a turn about y [1]
+    dn2y_z = -n2_x
+    x65 = n2_z*x24
+    x66 = -c_z*n2_z + 2.0*dn2y_z*h2
+    x67 = c_z*x66
+    # change of dF_2 [m²]
+    ddF2y_x = 2.0*n2_z*(x20*x20) - arb(1)/2*x65 - arb(1)/2*x67
+    ddF2y_y = SQRT3_2*x65 + SQRT3_2*x67 + 2.0*n2_z*x64
+    ddF2y_z = h2*x66
+    # change of G_2 [m²]
+    dG2y_x = -dF2_y*dn2y_z - ddF2y_y*n2_z + ddF2y_z*n2_y
+    dG2y_y = dF2_x*dn2y_z - dF2_z*n2_z + ddF2y_x*n2_z - ddF2y_z*n2_x
+    dG2y_z = -ddF2y_x*n2_y + ddF2y_y*n2_x + x43
+    # change of n_2 by a turn about z [1]
+    dn2z_x = -n2_y
+    x68 = SQRT3_2*n2_x
+    x69 = x24*(-arb(1)/2*dn2z_x + x68)
+    x70 = -c_z*dn2z_x + x53*x68
+    x71 = c_z*x70
+    x72 = 2.0*dn2z_x*x20 + 2.0*n2_x*x23
+    # change of dF_2 [m²]
+    ddF2z_x = x20*x72 + x69 - arb(1)/2*x71
+    ddF2z_y = SQRT3_2*x71 + x23*x72 - x29*x69
+    ddF2z_z = h2*x70
+    # change of G_2 [m²]
+    dG2z_x = -ddF2z_y*n2_z + ddF2z_z*n2_y + x44
+    dG2z_y = -dF2_z*dn2z_x + ddF2z_x*n2_z - ddF2z_z*n2_x
+    dG2z_z = -dF2_x*n2_x + dF2_y*dn2z_x - ddF2z_x*n2_y + ddF2z_y*n2_x
+    # change of n_3 by a turn about x [1]
+    dn3x_y = -n3_z
+    x73 = dn3x_y*x35
+    x74 = -2.0*dn3x_y*x61 + 2.0*h3*n3_y
+    x75 = c_z*x74
+    # change of dF_3 [m²]
+    ddF3x_x = -SQRT3_2*x73 + 2.0*dn3x_y*x33*x34 - arb(1)/2*x75
+    ddF3x_y = -SQRT3_2*x75 + 2.0*dn3x_y*(x34*x34) - arb(3)/2*x73
+    ddF3x_z = h3*x74
+    # change of G_3 [m²]
+    dG3x_x = -dF3_y*n3_y + dF3_z*dn3x_y - ddF3x_y*n3_z + ddF3x_z*n3_y
+    dG3x_y = ddF3x_x*n3_z - ddF3x_z*n3_x + x48
+    dG3x_z = -dF3_x*dn3x_y - ddF3x_x*n3_y + ddF3x_y*n3_x
+    # change of n_3 by a turn about y [1]
+    dn3y_z = -n3_x
+    x76 = n3_z*x35
+    x77 = -c_z*n3_z + 2.0*dn3y_z*h3
+    x78 = c_z*x77
+    # change of dF_3 [m²]
+    ddF3y_x = 2.0*n3_z*(x33*x33) - arb(1)/2*x76 - arb(1)/2*x78
+    ddF3y_y = -SQRT3_2*x76 - SQRT3_2*x78 + 2.0*n3_z*x33*x34
+    ddF3y_z = h3*x77
+    # change of G_3 [m²]
+    dG3y_x = -dF3_y*dn3y_z - ddF3y_y*n3_z + ddF3y_z*n3_y
+    dG3y_y = dF3_x*dn3y_z - dF3_z*n3_z + ddF3y_x*n3_z - ddF3y_z*n3_x
+    dG3y_z = -ddF3y_x*n3_y + ddF3y_y*n3_x + x46
+    # change of n_3 by a turn about z [1]
+    dn3z_x = -n3_y
+    x79 = SQRT3_2*n3_x
+    x80 = x35*(-arb(1)/2*dn3z_x - x79)
+    x81 = -c_z*dn3z_x - x53*x79
+    x82 = c_z*x81
+    x83 = 2.0*dn3z_x*x33 + 2.0*n3_x*x34
+    # change of dF_3 [m²]
+    ddF3z_x = x33*x83 + x80 - arb(1)/2*x82
+    ddF3z_y = -SQRT3_2*x82 + x29*x80 + x34*x83
+    ddF3z_z = h3*x81
+    # change of G_3 [m²]
+    dG3z_x = -ddF3z_y*n3_z + ddF3z_z*n3_y + x47
+    dG3z_y = -dF3_z*dn3z_x + ddF3z_x*n3_z - ddF3z_z*n3_x
+    dG3z_z = -dF3_x*n3_x + dF3_y*dn3z_x - ddF3z_x*n3_y + ddF3z_y*n3_x
+    x84 = -G1_y*G3_z + G1_z*G3_y
+    x85 = G1_x*G3_z - G1_z*G3_x
+    x86 = -G1_x*G3_y + G1_y*G3_x
+    x87 = G1_y*G2_z - G1_z*G2_y
+    x88 = -G1_x*G2_z + G1_z*G2_x
+    x89 = G1_x*G2_y - G1_y*G2_x
+    # derivative of the triple product by a turn [m⁶]
+    dvolume_x = dG1x_x*x49 + dG1x_y*x50 + dG1x_z*x51 + dG2x_x*x84 + dG2x_y*x85 + dG2x_z*x86 + dG3x_x*x87 + dG3x_y*x88 + dG3x_z*x89
+    dvolume_y = dG1y_x*x49 + dG1y_y*x50 + dG1y_z*x51 + dG2y_x*x84 + dG2y_y*x85 + dG2y_z*x86 + dG3y_x*x87 + dG3y_y*x88 + dG3y_z*x89
+    dvolume_z = dG1z_x*x49 + dG1z_y*x50 + dG1z_z*x51 + dG2z_x*x84 + dG2z_y*x85 + dG2z_z*x86 + dG3z_x*x87 + dG3z_y*x88 + dG3z_z*x89
+    # change of lambda by the elevation [1]
+    dc5_x = -x0*x5
+    dc5_y = -x3*x5
+    dc5_z = x1
+    # change of lambda by the azimuth [1]
+    dc4_x = -x4
+    dc4_y = x2
+    # gradient of F_1 by the position of C (6) [m]
+    cF1_x = -n1_y*x10 - n1_z*x11
+    cF1_y = n1_x*x10
+    cF1_z = n1_x*x11
+    x90 = gz2*n2_z
+    # gradient of F_2 by the position of C (6) [m]
+    cF2_x = x28*(-SQRT3_2*p2 - SQRT3_2*x16 - arb(1)/4*n2_y) + x90
+    cF2_y = 2.0*gt2*(SQRT3_2*(arb(1)/2*n2_y + x68) - arb(1)/2*p2) - x29*x90
+    cF2_z = 2.0*gz2*p2
+    x91 = gz3*n3_z
+    # gradient of F_3 by the position of C (6) [m]
+    cF3_x = x39*(SQRT3_2*p3 + SQRT3_2*x31 - arb(1)/4*n3_y) + x91
+    cF3_y = x29*x91 + x39*(-SQRT3_2*(arb(1)/2*n3_y - x79) - arb(1)/2*p3)
+    cF3_z = 2.0*gz3*p3
+    # derivatives of F by the logarithms of q1 ... q6 (6) [m²]
+    qF_11 = -2.0*x9
+    x92 = q4*q6
+    qF_14 = x92*(cF1_x*dc4_x + cF1_y*dc4_y)
+    x93 = q5*q6
+    qF_15 = x93*(cF1_x*dc5_x + cF1_y*dc5_y + cF1_z*dc5_z)
+    qF_16 = cF1_x*c_x + cF1_y*c_y + cF1_z*c_z
+    qF_22 = -2.0*x25
+    qF_24 = x92*(cF2_x*dc4_x + cF2_y*dc4_y)
+    qF_25 = x93*(cF2_x*dc5_x + cF2_y*dc5_y + cF2_z*dc5_z)
+    qF_26 = cF2_x*c_x + cF2_y*c_y + cF2_z*c_z
+    qF_33 = -2.0*x36
+    qF_34 = x92*(cF3_x*dc4_x + cF3_y*dc4_y)
+    qF_35 = x93*(cF3_x*dc5_x + cF3_y*dc5_y + cF3_z*dc5_z)
+    qF_36 = cF3_x*c_x + cF3_y*c_y + cF3_z*c_z
+    return Fold(
+        [F1, F2, F3],
+        [[G1_x, G1_y, G1_z], [G2_x, G2_y, G2_z], [G3_x, G3_y, G3_z]],
+        volume,
+        [dvolume_x, dvolume_y, dvolume_z],
+        [[qF_11, 0.0, 0.0, qF_14, qF_15, qF_16], [0.0, qF_22, 0.0, qF_24, qF_25, qF_26], [0.0, 0.0, qF_33, qF_34, qF_35, qF_36]],
+    )
+
+
+class RotationFromRpy(NamedTuple):
+    """What `rotation_from_rpy` returns."""
+
+    rotation: Nested
+
+
+def rotation_from_rpy(roll: Nested, pitch: Nested, yaw: Nested) -> RotationFromRpy:
+    """Rotation from roll, pitch and yaw, R = Rz(yaw) Ry(pitch) Rx(roll).
+
+    Equations (9) of the paper; base frame.
+    24 operations.
+
+    Parameters
+    ----------
+    roll : nested list (...)
+        about X, first [rad]
+    pitch : nested list (...)
+        about Y, second [rad]
+    yaw : nested list (...)
+        about Z, last [rad]
+
+    Returns
+    -------
+    rotation : nested list (..., 3, 3)
+        rotation of the platform [1]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    roll = _exact(roll)
+    pitch = _exact(pitch)
+    yaw = _exact(yaw)
+    gamma = roll
+    beta = pitch
+    alpha = yaw
+    x0 = cos(alpha)
+    x1 = cos(beta)
+    # rotation of the platform (9) [1]
+    R_11 = x0*x1
+    x2 = sin(alpha)
+    x3 = cos(gamma)
+    x4 = x2*x3
+    x5 = sin(beta)
+    x6 = sin(gamma)
+    R_12 = x0*x5*x6 - x4
+    x7 = x2*x6
+    x8 = x0*x3
+    R_13 = x5*x8 + x7
+    R_21 = x1*x2
+    R_22 = x5*x7 + x8
+    R_23 = -x0*x6 + x4*x5
+    R_31 = -x5
+    R_32 = x1*x6
+    R_33 = x1*x3
+    return RotationFromRpy(
+        [[R_11, R_12, R_13], [R_21, R_22, R_23], [R_31, R_32, R_33]],
+    )
+
+
+class RpyFromRotation(NamedTuple):
+    """What `rpy_from_rotation` returns."""
+
+    roll: Nested
+    pitch: Nested
+    yaw: Nested
+
+
+def rpy_from_rotation(R: Nested) -> RpyFromRotation:
+    """Roll, pitch and yaw from the rotation; yaw is zero where R_11 = R_21 = 0.
+
+    Equations (9) of the paper; base frame.
+    17 operations.
+
+    Parameters
+    ----------
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    roll : nested list (...)
+        in [−π, π] [rad]
+    pitch : nested list (...)
+        in [−π/2, π/2] [rad]
+    yaw : nested list (...)
+        in [−π, π] [rad]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    R = _exact(R)
+    (R_11, R_12, R_13), (R_21, R_22, R_23), (R_31, R_32, R_33) = R
+    # yaw (9) [rad]
+    alpha = atan2(R_21, R_11)
+    # pitch (9) [rad]
+    beta = atan2(-R_31, sqrt((R_11*R_11) + (R_21*R_21)))
+    x0 = sin(alpha)
+    x1 = cos(alpha)
+    # roll (9) [rad]
+    gamma = atan2(R_13*x0 - R_23*x1, -R_12*x0 + R_22*x1)
+    return RpyFromRotation(
+        gamma,
+        beta,
+        alpha,
+    )
+
+
+class RotationFromDirections(NamedTuple):
+    """What `rotation_from_directions` returns."""
+
+    rotation: Nested
+
+
+def rotation_from_directions(n1: Nested, n2: Nested) -> RotationFromDirections:
+    """Rotation from the platform directions n_1 and n_2.
+
+    Equations (8) of the paper; base frame.
+    40 operations.
+
+    Parameters
+    ----------
+    n1 : nested list (..., 3)
+        direction from C to B_1 [1]
+    n2 : nested list (..., 3)
+        direction from C to B_2 [1]
+
+    Returns
+    -------
+    rotation : nested list (..., 3, 3)
+        rotation of the platform [1]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    n1 = _exact(n1)
+    n2 = _exact(n2)
+    n1_x, n1_y, n1_z = n1
+    n2_x, n2_y, n2_z = n2
+    x0 = n1_y*n2_z - n1_z*n2_y
+    x1 = n1_x*n2_y - n1_y*n2_x
+    x2 = -n1_x*n2_z + n1_z*n2_x
+    x3 = 1.0/(sqrt((x0*x0) + (x1*x1) + (x2*x2)))
+    # normal of the platform (8) [1]
+    nu_x = x0*x3
+    nu_y = x2*x3
+    nu_z = x1*x3
+    x4 = -n1_y*x1 + n1_z*x2
+    x5 = n1_x*x1 - n1_z*x0
+    x6 = -n1_x*x2 + n1_y*x0
+    x7 = 1.0/(sqrt((x4*x4) + (x5*x5) + (x6*x6)))
+    # platform y axis (8) [1]
+    m1_x = x4*x7
+    m1_y = x5*x7
+    m1_z = x6*x7
+    return RotationFromDirections(
+        [[n1_x, m1_x, nu_x], [n1_y, m1_y, nu_y], [n1_z, m1_z, nu_z]],
+    )
+
+
+class RotationDefect(NamedTuple):
+    """What `rotation_defect` returns."""
+
+    defect: Nested
+
+
+def rotation_defect(R: Nested) -> RotationDefect:
+    """How far a matrix is from a rotation; zero for a rotation.
+
+    Equations (8) of the paper; base frame.
+    42 operations.
+
+    Parameters
+    ----------
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    defect : nested list (...)
+        root of the squared defects [1]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    R = _exact(R)
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    # n_1 × m_1 − ν, zero for a rotation [1]
+    gap_x = -m1_y*n1_z + m1_z*n1_y - nu_x
+    gap_y = m1_x*n1_z - m1_z*n1_x - nu_y
+    gap_z = -m1_x*n1_y + m1_y*n1_x - nu_z
+    # root of the squared defects of |n_1| = |m_1| = 1, n_1·m_1 = 0, n_1 × m_1 = ν [1]
+    defect = sqrt((gap_x*gap_x) + (gap_y*gap_y) + (gap_z*gap_z) + ((m1_x*n1_x + m1_y*n1_y + m1_z*n1_z)*(m1_x*n1_x + m1_y*n1_y + m1_z*n1_z)) + (((m1_x*m1_x) + (m1_y*m1_y) + (m1_z*m1_z) - 1.0)*((m1_x*m1_x) + (m1_y*m1_y) + (m1_z*m1_z) - 1.0)) + (((n1_x*n1_x) + (n1_y*n1_y) + (n1_z*n1_z) - 1.0)*((n1_x*n1_x) + (n1_y*n1_y) + (n1_z*n1_z) - 1.0)))
+    return RotationDefect(
+        defect,
+    )
+
+
+class LimbGeometry(NamedTuple):
+    """What `limb_geometry` returns."""
+
+    d: Nested
+    w: Nested
+    lines: Nested
+
+
+def limb_geometry(a: Nested, c: Nested, R: Nested) -> LimbGeometry:
+    """Points D_i, unit vectors w_i and reciprocal lines S_i.
+
+    Equations (7), (14) of the paper; base frame.
+    264 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    d : nested list (..., 3, 3)
+        D_i, a row each [m]
+    w : nested list (..., 3, 3)
+        w_i, a row each [1]
+    lines : nested list (..., 3, 6)
+        S_i, a row each [1, m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    x12 = 1.0/n1_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1*x12
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    # length of the outer limb (10) [m]
+    q1 = l1/absolute(n1_x)
+    x13 = x12/q1
+    # unit vector along the outer limb Section IV [1]
+    w1_y = gt1*x13
+    w1_z = gz1*x13
+    # p_i times the part of the leg along n_i [m]
+    ng1 = gt1*n1_y + gz1*n1_z
+    # signed distance from O to D_i (7) [m]
+    delta1 = a + ng1/((n1_x*n1_x))
+    x14 = SQRT3_2*c_y
+    x15 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    x16 = 1.0/p2
+    # signed distance from C to B_i (4) [m]
+    e2 = h2*x16
+    x17 = -SQRT3_2*n2_x - arb(1)/2*n2_y
+    x18 = arb(1)/2*c_y
+    x19 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*x17 + p2*(-x18 - x19)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # length of the outer limb (10) [m]
+    q2 = l2/absolute(p2)
+    x20 = x16/q2
+    x21 = gt2*x20
+    # unit vector along the outer limb Section IV [1]
+    w2_x = -SQRT3_2*x21
+    w2_y = -arb(1)/2*x21
+    w2_z = gz2*x20
+    # p_i times the part of the leg along n_i [m]
+    ng2 = gt2*x17 + gz2*n2_z
+    # signed distance from O to D_i (7) [m]
+    delta2 = a + ng2/((p2*p2))
+    # position of D_i (7) [m]
+    d2_x = -arb(1)/2*delta2
+    d2_y = SQRT3_2*delta2
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    x22 = 1.0/p3
+    # signed distance from C to B_i (4) [m]
+    e3 = h3*x22
+    x23 = SQRT3_2*n3_x - arb(1)/2*n3_y
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*x23 + p3*(-x18 + x19)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # length of the outer limb (10) [m]
+    q3 = l3/absolute(p3)
+    x24 = x22/q3
+    x25 = gt3*x24
+    # unit vector along the outer limb Section IV [1]
+    w3_x = SQRT3_2*x25
+    w3_y = -arb(1)/2*x25
+    w3_z = gz3*x24
+    # p_i times the part of the leg along n_i [m]
+    ng3 = gt3*x23 + gz3*n3_z
+    # signed distance from O to D_i (7) [m]
+    delta3 = a + ng3/((p3*p3))
+    # position of D_i (7) [m]
+    d3_x = -arb(1)/2*delta3
+    d3_y = -SQRT3_2*delta3
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x26 = 1.0/rho1
+    # unit vector from B_i to D_i (14) [1]
+    s1_x = x26*(m1_x*tau1 + nu_x*sigma1)
+    s1_y = x26*(m1_y*tau1 + nu_y*sigma1)
+    s1_z = x26*(m1_z*tau1 + nu_z*sigma1)
+    x27 = e1*x26
+    # moment of S_i about C (14) [m]
+    so1_x = x27*(-m1_x*sigma1 + nu_x*tau1)
+    so1_y = x27*(-m1_y*sigma1 + nu_y*tau1)
+    so1_z = x27*(-m1_z*sigma1 + nu_z*tau1)
+    x28 = arb(1)/2*nu_y
+    x29 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x28 - x29)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x30 = 1.0/rho2
+    # unit vector from B_i to D_i (14) [1]
+    s2_x = x30*(m2_x*tau2 + nu_x*sigma2)
+    s2_y = x30*(m2_y*tau2 + nu_y*sigma2)
+    s2_z = x30*(m2_z*tau2 + nu_z*sigma2)
+    x31 = e2*x30
+    # moment of S_i about C (14) [m]
+    so2_x = x31*(-m2_x*sigma2 + nu_x*tau2)
+    so2_y = x31*(-m2_y*sigma2 + nu_y*tau2)
+    so2_z = x31*(-m2_z*sigma2 + nu_z*tau2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x28 + x29)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x32 = 1.0/rho3
+    # unit vector from B_i to D_i (14) [1]
+    s3_x = x32*(m3_x*tau3 + nu_x*sigma3)
+    s3_y = x32*(m3_y*tau3 + nu_y*sigma3)
+    s3_z = x32*(m3_z*tau3 + nu_z*sigma3)
+    x33 = e3*x32
+    # moment of S_i about C (14) [m]
+    so3_x = x33*(-m3_x*sigma3 + nu_x*tau3)
+    so3_y = x33*(-m3_y*sigma3 + nu_y*tau3)
+    so3_z = x33*(-m3_z*sigma3 + nu_z*tau3)
+    return LimbGeometry(
+        [[delta1, 0.0, 0.0], [d2_x, d2_y, 0.0], [d3_x, d3_y, 0.0]],
+        [[0.0, w1_y, w1_z], [w2_x, w2_y, w2_z], [w3_x, w3_y, w3_z]],
+        [[s1_x, s1_y, s1_z, so1_x, so1_y, so1_z], [s2_x, s2_y, s2_z, so2_x, so2_y, so2_z], [s3_x, s3_y, s3_z, so3_x, so3_y, so3_z]],
+    )
+
+
+class Screws(NamedTuple):
+    """What `screws` returns."""
+
+    limb1: Nested
+    limb2: Nested
+    limb3: Nested
+    limb4: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def screws(a: Nested, c: Nested, R: Nested, heading: Nested) -> Screws:
+    """The joint screws of the four limbs at pole C, a row a joint.
+
+    Equations Section IV of the paper; base frame.
+    262 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    heading : nested list (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+
+    Returns
+    -------
+    limb1 : nested list (..., 6, 6)
+        screws of limb 1 [1, m]
+    limb2 : nested list (..., 6, 6)
+        screws of limb 2 [1, m]
+    limb3 : nested list (..., 6, 6)
+        screws of limb 3 [1, m]
+    limb4 : nested list (..., 6, 6)
+        screws of limb 4 [1, m]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    heading = _exact(heading)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    x6 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x6)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x6)
+    x7 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x7
+    lambda_y = c_y*x7
+    lambda_z = c_z*x7
+    x8 = -c_x
+    x9 = a + x8
+    # distance of C from the plane of the limb (4) [m]
+    h1 = x9
+    x10 = 1.0/n1_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1*x10
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    # length of the outer limb (10) [m]
+    q1 = l1/absolute(n1_x)
+    x11 = 1.0/q1
+    x12 = gt1*x11
+    # unit vector along the outer limb Section IV [1]
+    w1_y = x10*x12
+    x13 = gz1*x11
+    w1_z = x10*x13
+    x14 = -arb(1)/2*a
+    # position of A_2 Section II [m]
+    a2_x = x14
+    x15 = SQRT3_2*a
+    a2_y = x15
+    x16 = SQRT3_2*c_y
+    x17 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x16 + x17
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    x18 = 1.0/p2
+    # signed distance from C to B_i (4) [m]
+    e2 = h2*x18
+    x19 = -SQRT3_2*n2_x - arb(1)/2*n2_y
+    x20 = arb(1)/2*c_y
+    x21 = SQRT3_2*c_x
+    x22 = -x20 - x21
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*x19 + p2*x22
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # length of the outer limb (10) [m]
+    q2 = l2/absolute(p2)
+    x23 = 1.0/q2
+    x24 = gt2*x23
+    x25 = x18*x24
+    # unit vector along the outer limb Section IV [1]
+    w2_x = -SQRT3_2*x25
+    w2_y = -arb(1)/2*x25
+    w2_z = gz2*x18*x23
+    # position of A_3 Section II [m]
+    a3_x = x14
+    a3_y = -x15
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x16 + x17
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    x26 = 1.0/p3
+    # signed distance from C to B_i (4) [m]
+    e3 = h3*x26
+    x27 = SQRT3_2*n3_x - arb(1)/2*n3_y
+    x28 = -x20
+    x29 = x21 + x28
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*x27 + p3*x29
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # length of the outer limb (10) [m]
+    q3 = l3/absolute(p3)
+    x30 = 1.0/q3
+    x31 = gt3*x30
+    x32 = x26*x31
+    # unit vector along the outer limb Section IV [1]
+    w3_x = SQRT3_2*x32
+    w3_y = -arb(1)/2*x32
+    w3_z = gz3*x26*x30
+    x33 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x33
+    axis_y = -heading_1*x33
+    x34 = -c_y
+    # lower revolute, actuated by q4 Section IV [1, m]
+    screw41_ox = x34
+    # second revolute, actuated by q5 Section IV [1, m]
+    screw42_ox = axis_y*c_z
+    screw42_oy = -axis_x*c_z
+    screw42_oz = axis_x*c_y - axis_y*c_x
+    # universal joint, second axis Section IV [1, m]
+    screw46_x = x1
+    screw46_y = x3
+    screw46_z = x5
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw1_x = x11*(-c_y*n1_z + c_z*n1_y)
+    nw1_y = -x13
+    nw1_z = x12
+    # base revolute Section IV [1, m]
+    screw11_oy = -c_z
+    # revolute along the leg Section IV [1, m]
+    screw13_ox = -c_y*w1_z + c_z*w1_y
+    x35 = -x9
+    screw13_oy = w1_z*x35
+    screw13_oz = -w1_y*x35
+    # upper revolute Section IV [1, m]
+    screw14_ox = e1*(n1_y*nw1_z - n1_z*nw1_y)
+    screw14_oy = e1*(-n1_x*nw1_z + n1_z*nw1_x)
+    screw14_oz = e1*(n1_x*nw1_y - n1_y*nw1_x)
+    x36 = c_z*x19
+    x37 = n2_z*x22
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw2_x = x23*(SQRT3_2*gz2 - arb(1)/2*x36 + arb(1)/2*x37)
+    nw2_y = x23*(SQRT3_2*(x36 - x37) + arb(1)/2*gz2)
+    nw2_z = x24
+    x38 = SQRT3_2*c_z
+    # base revolute Section IV [1, m]
+    screw21_ox = x38
+    x39 = arb(1)/2*c_z
+    screw21_oy = x39
+    x40 = -a2_x - x8
+    screw21_oz = -SQRT3_2*x40 + arb(1)/2*a2_y - x20
+    x41 = -a2_y - x34
+    # revolute along the leg Section IV [1, m]
+    screw23_ox = c_z*w2_y - w2_z*x41
+    screw23_oy = -c_z*w2_x + w2_z*x40
+    screw23_oz = w2_x*x41 - w2_y*x40
+    # upper revolute Section IV [1, m]
+    screw24_ox = e2*(n2_y*nw2_z - n2_z*nw2_y)
+    screw24_oy = e2*(-n2_x*nw2_z + n2_z*nw2_x)
+    screw24_oz = e2*(n2_x*nw2_y - n2_y*nw2_x)
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw3_x = x30*(-SQRT3_2*gz3 + arb(1)/2*n3_z*x29 - x27*x39)
+    nw3_y = x30*(-SQRT3_2*(c_z*x27 - n3_z*x29) + arb(1)/2*gz3)
+    nw3_z = x31
+    # base revolute Section IV [1, m]
+    screw31_ox = -x38
+    screw31_oy = x39
+    x42 = -a3_x - x8
+    screw31_oz = SQRT3_2*x42 + arb(1)/2*a3_y + x28
+    x43 = -a3_y - x34
+    # revolute along the leg Section IV [1, m]
+    screw33_ox = c_z*w3_y - w3_z*x43
+    screw33_oy = -c_z*w3_x + w3_z*x42
+    screw33_oz = w3_x*x43 - w3_y*x42
+    # upper revolute Section IV [1, m]
+    screw34_ox = e3*(n3_y*nw3_z - n3_z*nw3_y)
+    screw34_oy = e3*(-n3_x*nw3_z + n3_z*nw3_x)
+    screw34_oz = e3*(n3_x*nw3_y - n3_y*nw3_x)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    return Screws(
+        [[1.0, 0.0, 0.0, 0.0, screw11_oy, c_y], [0.0, 0.0, 0.0, 0.0, w1_y, w1_z], [0.0, w1_y, w1_z, screw13_ox, screw13_oy, screw13_oz], [nw1_x, nw1_y, nw1_z, screw14_ox, screw14_oy, screw14_oz], [n1_x, n1_y, n1_z, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, n1_x, n1_y, n1_z]],
+        [[arb(-1)/2, SQRT3_2, 0.0, screw21_ox, screw21_oy, screw21_oz], [0.0, 0.0, 0.0, w2_x, w2_y, w2_z], [w2_x, w2_y, w2_z, screw23_ox, screw23_oy, screw23_oz], [nw2_x, nw2_y, nw2_z, screw24_ox, screw24_oy, screw24_oz], [n2_x, n2_y, n2_z, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, n2_x, n2_y, n2_z]],
+        [[arb(-1)/2, -SQRT3_2, 0.0, screw31_ox, screw31_oy, screw31_oz], [0.0, 0.0, 0.0, w3_x, w3_y, w3_z], [w3_x, w3_y, w3_z, screw33_ox, screw33_oy, screw33_oz], [nw3_x, nw3_y, nw3_z, screw34_ox, screw34_oy, screw34_oz], [n3_x, n3_y, n3_z, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, n3_x, n3_y, n3_z]],
+        [[0.0, 0.0, 1.0, screw41_ox, c_x, 0.0], [axis_x, axis_y, 0.0, screw42_ox, screw42_oy, screw42_oz], [0.0, 0.0, 0.0, lambda_x, lambda_y, lambda_z], [lambda_x, lambda_y, lambda_z, 0.0, 0.0, 0.0], [n1_x, n1_y, n1_z, 0.0, 0.0, 0.0], [screw46_x, screw46_y, screw46_z, 0.0, 0.0, 0.0]],
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
+class Jacobians(NamedTuple):
+    """What `jacobians` returns."""
+
+    J_v: Nested
+    J_q: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def jacobians(a: Nested, c: Nested, R: Nested, heading: Nested) -> Jacobians:
+    """Forward and inverse Jacobian, J_vᵀ Δ V = J_q q̇.
+
+    Equations (17)-(19), (22)-(24) of the paper; base frame.
+    283 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    heading : nested list (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+
+    Returns
+    -------
+    J_v : nested list (..., 6, 6)
+        forward Jacobian [1, m]
+    J_q : nested list (..., 6, 6)
+        inverse Jacobian [1, m]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    heading = _exact(heading)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x16 = arb(1)/2*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - arb(1)/2*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x18 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x18
+    axis_y = -heading_1*x18
+    # lower revolute, actuated by q4 Section IV [1, m]
+    screw41_ox = -c_y
+    # second revolute, actuated by q5 Section IV [1, m]
+    screw42_ox = axis_y*c_z
+    screw42_oy = -axis_x*c_z
+    screw42_oz = axis_x*c_y - axis_y*c_x
+    # universal joint, second axis Section IV [1, m]
+    screw46_x = x1
+    screw46_y = x3
+    screw46_z = x5
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x19 = 1.0/rho1
+    # unit vector from B_i to D_i (14) [1]
+    s1_x = x19*(m1_x*tau1 + nu_x*sigma1)
+    s1_y = x19*(m1_y*tau1 + nu_y*sigma1)
+    s1_z = x19*(m1_z*tau1 + nu_z*sigma1)
+    x20 = e1*x19
+    # moment of S_i about C (14) [m]
+    so1_x = x20*(-m1_x*sigma1 + nu_x*tau1)
+    so1_y = x20*(-m1_y*sigma1 + nu_y*tau1)
+    so1_z = x20*(-m1_z*sigma1 + nu_z*tau1)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -l1*x19*absolute(n1_x)
+    x21 = arb(1)/2*nu_y
+    x22 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x21 - x22)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x23 = 1.0/rho2
+    # unit vector from B_i to D_i (14) [1]
+    s2_x = x23*(m2_x*tau2 + nu_x*sigma2)
+    s2_y = x23*(m2_y*tau2 + nu_y*sigma2)
+    s2_z = x23*(m2_z*tau2 + nu_z*sigma2)
+    x24 = e2*x23
+    # moment of S_i about C (14) [m]
+    so2_x = x24*(-m2_x*sigma2 + nu_x*tau2)
+    so2_y = x24*(-m2_y*sigma2 + nu_y*tau2)
+    so2_z = x24*(-m2_z*sigma2 + nu_z*tau2)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -l2*x23*absolute(p2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x21 + x22)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x25 = 1.0/rho3
+    # unit vector from B_i to D_i (14) [1]
+    s3_x = x25*(m3_x*tau3 + nu_x*sigma3)
+    s3_y = x25*(m3_y*tau3 + nu_y*sigma3)
+    s3_z = x25*(m3_z*tau3 + nu_z*sigma3)
+    x26 = e3*x25
+    # moment of S_i about C (14) [m]
+    so3_x = x26*(-m3_x*sigma3 + nu_x*tau3)
+    so3_y = x26*(-m3_y*sigma3 + nu_y*tau3)
+    so3_z = x26*(-m3_z*sigma3 + nu_z*tau3)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -l3*x25*absolute(p3)
+    # inverse Jacobian matrix (19), (22)-(24) [1, m]
+    J_q_54 = c_x*n1_y + n1_x*screw41_ox
+    J_q_55 = n1_x*screw42_ox + n1_y*screw42_oy + n1_z*screw42_oz
+    J_q_56 = lambda_x*n1_x + lambda_y*n1_y + lambda_z*n1_z
+    J_q_64 = c_x*screw46_y + screw41_ox*screw46_x
+    J_q_65 = screw42_ox*screw46_x + screw42_oy*screw46_y + screw42_oz*screw46_z
+    J_q_66 = lambda_x*screw46_x + lambda_y*screw46_y + lambda_z*screw46_z
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    return Jacobians(
+        [[s1_x, s2_x, s3_x, lambda_x, n1_x, screw46_x], [s1_y, s2_y, s3_y, lambda_y, n1_y, screw46_y], [s1_z, s2_z, s3_z, lambda_z, n1_z, screw46_z], [so1_x, so2_x, so3_x, 0.0, 0.0, 0.0], [so1_y, so2_y, so3_y, 0.0, 0.0, 0.0], [so1_z, so2_z, so3_z, 0.0, 0.0, 0.0]],
+        [[limb1, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, limb2, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, limb3, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, J_q_54, J_q_55, J_q_56], [0.0, 0.0, 0.0, J_q_64, J_q_65, J_q_66]],
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
+class InverseVelocity(NamedTuple):
+    """What `inverse_velocity` returns."""
+
+    rates: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def inverse_velocity(a: Nested, c: Nested, R: Nested, twist: Nested) -> InverseVelocity:
+    """Joint rates from the twist.
+
+    Equations (15), (16) of the paper; base frame.
+    260 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    twist : nested list (..., 2, 3)
+        [omega, v_C] [rad/s, m/s]
+
+    Returns
+    -------
+    rates : nested list (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    twist = _exact(twist)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    (omega_x, omega_y, omega_z), (v_x, v_y, v_z) = twist
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    x16 = arb(1)/2*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - arb(1)/2*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    x18 = arb(1)/2*nu_y
+    x19 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x18 - x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x18 + x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    # rate of the outer limb 1 (15) [m/s]
+    dq1 = (-h1*(omega_x*(-m1_x*sigma1 + nu_x*tau1) + omega_y*(-m1_y*sigma1 + nu_y*tau1) + omega_z*(-m1_z*sigma1 + nu_z*tau1)) - n1_x*(v_x*(m1_x*tau1 + nu_x*sigma1) + v_y*(m1_y*tau1 + nu_y*sigma1) + v_z*(m1_z*tau1 + nu_z*sigma1)))/(l1*n1_x*absolute(n1_x))
+    # rate of the outer limb 2 (15) [m/s]
+    dq2 = (-h2*(omega_x*(-m2_x*sigma2 + nu_x*tau2) + omega_y*(-m2_y*sigma2 + nu_y*tau2) + omega_z*(-m2_z*sigma2 + nu_z*tau2)) - p2*(v_x*(m2_x*tau2 + nu_x*sigma2) + v_y*(m2_y*tau2 + nu_y*sigma2) + v_z*(m2_z*tau2 + nu_z*sigma2)))/(l2*p2*absolute(p2))
+    # rate of the outer limb 3 (15) [m/s]
+    dq3 = (-h3*(omega_x*(-m3_x*sigma3 + nu_x*tau3) + omega_y*(-m3_y*sigma3 + nu_y*tau3) + omega_z*(-m3_z*sigma3 + nu_z*tau3)) - p3*(v_x*(m3_x*tau3 + nu_x*sigma3) + v_y*(m3_y*tau3 + nu_y*sigma3) + v_z*(m3_z*tau3 + nu_z*sigma3)))/(l3*p3*absolute(p3))
+    # rate of the azimuth (16) [rad/s]
+    dq4 = (c_x*v_y - c_y*v_x)/((r*r))
+    # rate of the elevation (16) [rad/s]
+    dq5 = (-c_z*(c_x*v_x + c_y*v_y)/r + r*v_z)/((q6*q6))
+    # rate of the central limb's length (16) [m/s]
+    dq6 = lambda_x*v_x + lambda_y*v_y + lambda_z*v_z
+    return InverseVelocity(
+        [dq1, dq2, dq3, dq4, dq5, dq6],
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
+class ForwardVelocity(NamedTuple):
+    """What `forward_velocity` returns."""
+
+    twist: Nested
+    determinant: Nested
+    extension: Nested
+    extension_scale: Nested
+    orientation: Nested
+    orientation_scale: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def forward_velocity(a: Nested, c: Nested, R: Nested, heading: Nested, rates: Nested) -> ForwardVelocity:
+    """Twist from the joint rates, and the determinant of its 3×3 with its factors.
+
+    Equations (12), (17) of the paper; base frame.
+    366 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    heading : nested list (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+    rates : nested list (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+
+    Returns
+    -------
+    twist : nested list (..., 6)
+        [omega, v_C] [rad/s, m/s]
+    determinant : nested list (...)
+        det of the moments of S_i [m³]
+    extension : nested list (..., 3)
+        signed distances e_i from C to B_i [m]
+    extension_scale : nested list (..., 3)
+        scales of the e_i [m]
+    orientation : nested list (...)
+        det[n_i × (d_i − c)] [m³]
+    orientation_scale : nested list (...)
+        scale of orientation [m³]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    heading = _exact(heading)
+    rates = _exact(rates)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    dq1, dq2, dq3, dq4, dq5, dq6 = rates
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x16 = arb(1)/2*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - arb(1)/2*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x18 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x18
+    axis_y = -heading_1*x18
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x19 = arb(1)/2*nu_y
+    x20 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x19 - x20)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x19 + x20)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x21 = sigma2*tau3
+    x22 = sigma3*tau2
+    x23 = sigma3*tau1
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*x21 + sigma1*x22 + sigma2*x23
+    x24 = SQRT3_2*tilt
+    x25 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = x24*x25
+    # determinant of the moments of S_1, S_2, S_3 (27) [m³]
+    det_moments = e1*e2*e3*x24/(rho1*rho2*rho3)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x26 = a + q6
+    x27 = absolute(n1_x)
+    # scale of e1 [m]
+    e_scale1 = x26/x27
+    x28 = absolute(p2)
+    # scale of e2 [m]
+    e_scale2 = x26/x28
+    x29 = absolute(p3)
+    # scale of e3 [m]
+    e_scale3 = x26/x29
+    x30 = absolute(sigma1)
+    x31 = absolute(sigma2)
+    x32 = absolute(sigma3)
+    x33 = absolute(tau2)
+    x34 = absolute(tau3)
+    x35 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = SQRT3_2*reach*x25*(x30*x31 + x30*x32 + x30*x33 + x30*x34 + x31*x32 + x31*x34 + x31*x35 + x32*x33 + x32*x35)
+    x36 = c_z*dq5
+    # velocity of C (12), (16) [m/s]
+    v_x = axis_y*x36 - c_y*dq4 + dq6*lambda_x
+    v_y = -axis_x*x36 + c_x*dq4 + dq6*lambda_y
+    v_z = dq5*(axis_x*c_y - axis_y*c_x) + dq6*lambda_z
+    x37 = nu_y*sigma1
+    x38 = nu_z*sigma1
+    # what limb 1 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive1 = n1_x*(-dq1*l1*x27 - v_x*(m1_x*tau1 + nu_x*sigma1) - v_y*(m1_y*tau1 + x37) - v_z*(m1_z*tau1 + x38))/h1
+    x39 = nu_y*sigma2
+    x40 = nu_z*sigma2
+    # what limb 2 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive2 = p2*(-dq2*l2*x28 - v_x*(m2_x*tau2 + nu_x*sigma2) - v_y*(m2_y*tau2 + x39) - v_z*(m2_z*tau2 + x40))/h2
+    # what limb 3 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive3 = p3*(-dq3*l3*x29 - v_x*(m3_x*tau3 + nu_x*sigma3) - v_y*(m3_y*tau3 + nu_y*sigma3) - v_z*(m3_z*tau3 + nu_z*sigma3))/h3
+    x41 = sigma3*x20
+    x42 = n1_x*sigma1
+    x43 = sigma2*tau1
+    x44 = arb(4)/3*SQRT3_2/tilt
+    # angular velocity (17) [rad/s]
+    omega_x = x44*(drive1*(-n2_x*x21 + n3_x*x22 + sigma2*x41) + drive2*(-n3_x*x23 + sigma1*x41 + tau3*x42) + drive3*(n2_x*x43 + sigma1*sigma2*x20 - tau2*x42))
+    x45 = SQRT3_2*sigma3
+    x46 = n1_y*sigma1
+    x47 = SQRT3_2*sigma2
+    omega_y = x44*(drive1*(-n2_y*x21 + n3_y*x22 + x39*x45) + drive2*(-n3_y*x23 + tau3*x46 + x37*x45) + drive3*(n2_y*x43 - tau2*x46 + x37*x47))
+    x48 = n1_z*sigma1
+    omega_z = x44*(drive1*(-n2_z*x21 + n3_z*x22 + x40*x45) + drive2*(-n3_z*x23 + tau3*x48 + x38*x45) + drive3*(n2_z*x43 - tau2*x48 + x38*x47))
+    return ForwardVelocity(
+        [omega_x, omega_y, omega_z, v_x, v_y, v_z],
+        det_moments,
+        [e1, e2, e3],
+        [e_scale1, e_scale2, e_scale3],
+        orientation,
+        orientation_scale,
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
+class InverseSingularity(NamedTuple):
+    """What `inverse_singularity` returns."""
+
+    determinant: Nested
+    limb: Nested
+    central: Nested
+    wrist: Nested
+    limb_scale: Nested
+    central_scale: Nested
+    wrist_scale: Nested
+
+
+def inverse_singularity(a: Nested, c: Nested, R: Nested) -> InverseSingularity:
+    """det J_q and its factors: the product of limb, central and wrist.
+
+    Equations (22)-(26) of the paper; base frame.
+    167 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    determinant : nested list (...)
+        det J_q [m²]
+    limb : nested list (..., 3)
+        Klein forms of S_i and the actuated screw [1]
+    central : nested list (...)
+        q6² cos q5 [m²]
+    wrist : nested list (...)
+        (n_1 × n_2)·lambda [1]
+    limb_scale : nested list (..., 3)
+        scales of limb [1]
+    central_scale : nested list (...)
+        scale of central [m²]
+    wrist_scale : nested list (...)
+        scale of wrist [1]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x13 = SQRT3_2*c_y
+    x14 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    x15 = arb(1)/2*c_y
+    x16 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - arb(1)/2*n2_y) + p2*(-x15 - x16)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(-x15 + x16)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x17 = l1/rho1
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -x17*absolute(n1_x)
+    x18 = arb(1)/2*nu_y
+    x19 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x18 - x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x20 = l2/rho2
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -x20*absolute(p2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x18 + x19)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x21 = l3/rho3
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -x21*absolute(p3)
+    # central limb: q6² cos q5 (26) [m²]
+    central = q6*r
+    x22 = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = x22/q6
+    # determinant of the inverse Jacobian (22)-(26) [m²]
+    det_J_q = limb1*limb2*limb3*r*x22
+    # scale of limb 1's Klein form [1]
+    limb_scale1 = x17
+    # scale of limb 2's Klein form [1]
+    limb_scale2 = x20
+    # scale of limb 3's Klein form [1]
+    limb_scale3 = x21
+    # scale of the central factor [m²]
+    central_scale = (q6*q6)
+    return InverseSingularity(
+        det_J_q,
+        [limb1, limb2, limb3],
+        central,
+        wrist,
+        [limb_scale1, limb_scale2, limb_scale3],
+        central_scale,
+        SQRT3_2,
+    )
+
+
+class DirectSingularity(NamedTuple):
+    """What `direct_singularity` returns."""
+
+    determinant: Nested
+    extension: Nested
+    orientation: Nested
+    wrist: Nested
+    extension_scale: Nested
+    orientation_scale: Nested
+    wrist_scale: Nested
+
+
+def direct_singularity(a: Nested, c: Nested, R: Nested) -> DirectSingularity:
+    """det J_v and its factors: −∏(e_i / |d_i − b_i|) · orientation · wrist.
+
+    Equations (27) of the paper; base frame.
+    194 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    determinant : nested list (...)
+        det J_v [m³]
+    extension : nested list (..., 3)
+        signed distances e_i from C to B_i [m]
+    orientation : nested list (...)
+        det[n_i × (d_i − c)] [m³]
+    wrist : nested list (...)
+        (n_1 × n_2)·lambda [1]
+    extension_scale : nested list (..., 3)
+        scales of the e_i [m]
+    orientation_scale : nested list (...)
+        scale of orientation [m³]
+    wrist_scale : nested list (...)
+        scale of wrist [1]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_x*c_x) + (c_y*c_y) + (c_z*c_z))
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    x12 = SQRT3_2*c_y
+    x13 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x12 + x13
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x14 = arb(1)/2*c_y
+    x15 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - arb(1)/2*n2_y) + p2*(-x14 - x15)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x12 + x13
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(-x14 + x15)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x16 = arb(1)/2*nu_y
+    x17 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x16 - x17)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x16 + x17)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)/q6
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1
+    x18 = SQRT3_2*tilt
+    x19 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = x18*x19
+    # determinant of the moments of S_1, S_2, S_3 (27) [m³]
+    det_moments = e1*e2*e3*x18/(rho1*rho2*rho3)
+    # determinant of the forward Jacobian (27) [m³]
+    det_J_v = -det_moments*wrist
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x20 = a + q6
+    # scale of e1 [m]
+    e_scale1 = x20/absolute(n1_x)
+    # scale of e2 [m]
+    e_scale2 = x20/absolute(p2)
+    # scale of e3 [m]
+    e_scale3 = x20/absolute(p3)
+    x21 = absolute(sigma1)
+    x22 = absolute(sigma2)
+    x23 = absolute(sigma3)
+    x24 = absolute(tau2)
+    x25 = absolute(tau3)
+    x26 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = SQRT3_2*reach*x19*(x21*x22 + x21*x23 + x21*x24 + x21*x25 + x22*x23 + x22*x25 + x22*x26 + x23*x24 + x23*x26)
+    return DirectSingularity(
+        det_J_v,
+        [e1, e2, e3],
+        orientation,
+        wrist,
+        [e_scale1, e_scale2, e_scale3],
+        orientation_scale,
+        SQRT3_2,
+    )
+
+
+class Survey(NamedTuple):
+    """What `survey` returns."""
+
+    joints: Nested
+    extension: Nested
+    inverse_determinant: Nested
+    direct_determinant: Nested
+    limb: Nested
+    central: Nested
+    wrist: Nested
+    orientation: Nested
+    limb_scale: Nested
+    central_scale: Nested
+    wrist_scale: Nested
+    extension_scale: Nested
+    orientation_scale: Nested
+
+
+def survey(a: Nested, c: Nested, R: Nested) -> Survey:
+    """Joint values, extensions, both determinants and their factors in one pass.
+
+    Equations (4), (10), (11), (22)-(27) of the paper; base frame.
+    237 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    joints : nested list (..., 6)
+        q1 ... q6 [m, rad]
+    extension : nested list (..., 3)
+        signed distances e_i from C to B_i [m]
+    inverse_determinant : nested list (...)
+        det J_q [m²]
+    direct_determinant : nested list (...)
+        det J_v [m³]
+    limb : nested list (..., 3)
+        Klein forms of S_i and the actuated screw [1]
+    central : nested list (...)
+        q6² cos q5 [m²]
+    wrist : nested list (...)
+        (n_1 × n_2)·lambda [1]
+    orientation : nested list (...)
+        det[n_i × (d_i − c)] [m³]
+    limb_scale : nested list (..., 3)
+        scales of limb [1]
+    central_scale : nested list (...)
+        scale of central [m²]
+    wrist_scale : nested list (...)
+        scale of wrist [1]
+    extension_scale : nested list (..., 3)
+        scales of the e_i [m]
+    orientation_scale : nested list (...)
+        scale of orientation [m³]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    # elevation of the central limb (11) [rad]
+    q5 = atan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = atan2(c_y, c_x)
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x13 = absolute(n1_x)
+    x14 = 1.0/x13
+    # length of the outer limb (10) [m]
+    q1 = l1*x14
+    x15 = SQRT3_2*c_y
+    x16 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x15 + x16
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x17 = arb(1)/2*c_y
+    x18 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - arb(1)/2*n2_y) + p2*(-x17 - x18)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    x19 = absolute(p2)
+    x20 = 1.0/x19
+    # length of the outer limb (10) [m]
+    q2 = l2*x20
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x15 + x16
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(-x17 + x18)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x21 = absolute(p3)
+    x22 = 1.0/x21
+    # length of the outer limb (10) [m]
+    q3 = l3*x22
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x23 = 1.0/rho1
+    x24 = l1*x23
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -x13*x24
+    x25 = arb(1)/2*nu_y
+    x26 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x25 - x26)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x27 = 1.0/rho2
+    x28 = l2*x27
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -x19*x28
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x25 + x26)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x29 = 1.0/rho3
+    x30 = l3*x29
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -x21*x30
+    # central limb: q6² cos q5 (26) [m²]
+    central = q6*r
+    x31 = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = x31/q6
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1
+    x32 = SQRT3_2*tilt
+    x33 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = x32*x33
+    # determinant of the inverse Jacobian (22)-(26) [m²]
+    det_J_q = limb1*limb2*limb3*r*x31
+    # determinant of the moments of S_1, S_2, S_3 (27) [m³]
+    det_moments = e1*e2*e3*x23*x27*x29*x32
+    # determinant of the forward Jacobian (27) [m³]
+    det_J_v = -det_moments*wrist
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    # scale of limb 1's Klein form [1]
+    limb_scale1 = x24
+    x34 = a + q6
+    # scale of e1 [m]
+    e_scale1 = x14*x34
+    # scale of limb 2's Klein form [1]
+    limb_scale2 = x28
+    # scale of e2 [m]
+    e_scale2 = x20*x34
+    # scale of limb 3's Klein form [1]
+    limb_scale3 = x30
+    # scale of e3 [m]
+    e_scale3 = x22*x34
+    # scale of the central factor [m²]
+    central_scale = (q6*q6)
+    x35 = absolute(sigma1)
+    x36 = absolute(sigma2)
+    x37 = absolute(sigma3)
+    x38 = absolute(tau2)
+    x39 = absolute(tau3)
+    x40 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = SQRT3_2*reach*x33*(x35*x36 + x35*x37 + x35*x38 + x35*x39 + x36*x37 + x36*x39 + x36*x40 + x37*x38 + x37*x40)
+    return Survey(
+        [q1, q2, q3, q4, q5, q6],
+        [e1, e2, e3],
+        det_J_q,
+        det_J_v,
+        [limb1, limb2, limb3],
+        central,
+        wrist,
+        orientation,
+        [limb_scale1, limb_scale2, limb_scale3],
+        central_scale,
+        SQRT3_2,
+        [e_scale1, e_scale2, e_scale3],
+        orientation_scale,
+    )

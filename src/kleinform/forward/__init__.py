@@ -1,0 +1,1 @@
+"""The forward displacement: every assembly mode of given joint values."""

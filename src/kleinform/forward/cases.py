@@ -1,0 +1,52 @@
+"""Joint values that are no regular case, told apart before anything is solved."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kleinform.forward.circle import COSINE, SINE, Rows
+
+__all__ = ["in_plane", "on_circle", "reach_of", "zero_leg"]
+
+Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
+
+EPS = float(np.finfo(np.float64).eps)
+#: Rounding of distances between C and the legs' planes, in eps times the reach.
+ROUNDING = 8.0
+#: C counts as in the plane of a leg below this distance, in reaches: two modes that differ in
+#: one B alone are then so close in the platform's directions that these do not tell them apart.
+IN_PLANE = 1e-6
+
+
+def reach_of(rows: Rows) -> Array:
+    """a + |c| + q: the size of what the closure equations add up (N, 3)."""
+    size = rows.radius + np.linalg.norm(rows.position, axis=1)
+    return size[:, np.newaxis] + rows.lengths
+
+
+def across(rows: Rows) -> Array:
+    """h_i = a − c·u_i, the distance of C from the planes of the legs (N, 3)."""
+    x, y = rows.position[:, :1], rows.position[:, 1:2]
+    return rows.radius[:, np.newaxis] - COSINE * x + SINE * y
+
+
+def in_plane(rows: Rows) -> Mask:
+    """Limbs with C in the plane of their leg, c·u_i = a (N, 3)."""
+    return abs(across(rows)) <= IN_PLANE * reach_of(rows)
+
+
+def zero_leg(rows: Rows) -> Mask:
+    """Limbs with q_i = 0 (N, 3)."""
+    return rows.lengths == 0.0
+
+
+def on_circle(rows: Rows, tolerance: float) -> Mask:
+    """Limbs with C on the circle of their B: with B at C the limb holds nothing (N, 3)."""
+    slack = (ROUNDING * EPS + tolerance) * reach_of(rows)
+    foot = rows.radius[:, np.newaxis, np.newaxis] * np.stack(
+        [COSINE, -SINE, np.zeros(3)], axis=-1
+    )
+    distance = np.linalg.norm(rows.position[:, np.newaxis] - foot, axis=2)
+    return (abs(across(rows)) <= slack) & (abs(distance - rows.lengths) <= slack)

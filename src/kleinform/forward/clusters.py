@@ -1,0 +1,173 @@
+"""Modes from all 32 pairs, for the rows that the eliminant left undecided."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kleinform.forward.cases import in_plane
+from kleinform.forward.circle import Rows
+from kleinform.forward.pencil import PAIRS, STARTS, pairs_of
+from kleinform.forward.polish import CORANK_ONE, folds, polished, split
+from kleinform.forward.solver import Found
+from kleinform.generated import kernels
+
+__all__ = ["by_pencil", "candidates"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Mask = NDArray[np.bool_]
+
+EPS = float(np.finfo(np.float64).eps)
+NEWTON = 4
+#: Solutions nearer than this belong to one cluster; a cluster of m that should be one point
+#: is spread by rounding over eps^(1/m).
+NEAR = (1e-3, 1e-5, 1e-7)
+#: An imaginary part below this is rounding: a pair of conjugates so close is a cluster.
+REAL = 1e-8
+SAME = 1e-9
+
+
+def candidates(rows: Rows, base: int = 0, start: int = 0) -> Complex:
+    """One of each pair ±n (N, 32, 2, 3) by the pencil, polished on the closure equations."""
+    directions = pairs_of(rows, np.full(len(rows), base), start).directions
+    return polished_pairs(rows, directions)
+
+
+def polished_pairs(rows: Rows, directions: Complex) -> Complex:
+    """Newton's method on rotations, for complex directions (N, P, 2, 3)."""
+    cones = [cone[:, np.newaxis] for cone in kernels.cones(rows.radius, rows.position, rows.lengths)]
+    with np.errstate(all="ignore"):
+        for _ in range(NEWTON):
+            first, second = directions[..., 0, :], directions[..., 1, :]
+            all_three = (first, second, -first - second)
+            slopes = [
+                np.einsum("...ij,...j->...i", cone, n) for cone, n in zip(cones, all_three, strict=True)
+            ]
+            g = [2.0 * np.cross(n, slope) for n, slope in zip(all_three, slopes, strict=True)]
+            f = [
+                np.einsum("...i,...i->...", n, slope)[..., np.newaxis]
+                for n, slope in zip(all_three, slopes, strict=True)
+            ]
+            sides = [np.cross(g[1], g[2]), np.cross(g[2], g[0]), np.cross(g[0], g[1])]
+            volume = np.einsum("...i,...i->...", g[0], sides[0])[..., np.newaxis]
+            turn = -sum(entry * side for entry, side in zip(f, sides, strict=True)) / volume
+            step = np.cross(turn[..., np.newaxis, :], directions)
+            good = np.einsum("...i,...i->...", abs(turn), abs(turn)) <= 0.01
+            directions = np.where(good[..., np.newaxis, np.newaxis], directions + step, directions)
+            directions = _orthonormal(directions)
+    return directions
+
+
+def _orthonormal(directions: Complex) -> Complex:
+    """Unit directions 120° apart again, by Newton's step on their products."""
+    products = np.einsum("...ik,...jk->...ij", directions, directions)
+    gram = np.linalg.inv(np.array([[1.0, -0.5], [-0.5, 1.0]]))
+    excess = products - np.array([[1.0, -0.5], [-0.5, 1.0]])
+    return directions - 0.5 * np.einsum("...ij,jk,...kl->...il", excess, gram, directions)
+
+
+def by_pencil(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
+    """Modes of rows from all 32 pairs, and the rows in which all 32 are accounted for."""
+    solved = np.zeros(len(rows), dtype=bool)
+    found = [Found(np.empty(0, np.int64), np.empty((0, 2, 3)), np.empty(0, np.int64))]
+    for start in range(len(STARTS)):
+        for base in range(3):
+            left = np.flatnonzero(~solved)
+            if not len(left):
+                break
+            pairs = candidates(rows[left], base, start)
+            for index, number in enumerate(left):
+                modes = _modes(rows[[number]], pairs[index], tolerance)
+                if modes is not None:
+                    solved[number] = True
+                    row = np.full(len(modes[1]), number)
+                    found.append(Found(row, *modes))
+    return Found(*map(np.concatenate, zip(*found, strict=True))), solved
+
+
+def _modes(
+    row: Rows, pairs: Complex, tolerance: float
+) -> tuple[Array, NDArray[np.int64]] | None:
+    """Real modes among 32 pairs and their multiplicities, or None if pairs are missing."""
+    if not np.isfinite(pairs).all():
+        return None
+    directions, multiplicities = [], []
+    for members in _grouped(pairs, np.arange(PAIRS), 0):
+        modes = _group(row, _aligned(pairs[members]), tolerance)
+        if modes is None:
+            return None
+        directions += modes[0]
+        multiplicities += modes[1]
+    return np.array(directions).reshape(-1, 2, 3), np.array(multiplicities, dtype=np.int64)
+
+
+def _grouped(pairs: Complex, members: NDArray[np.int64], level: int) -> list[NDArray[np.int64]]:
+    """Clusters of pairs; those of three and more are looked at again more closely."""
+    flat = pairs[members].reshape(len(members), -1)
+    gap = np.minimum(
+        abs(flat[:, np.newaxis] - flat).max(-1), abs(flat[:, np.newaxis] + flat).max(-1)
+    )
+    linked = gap <= NEAR[level]
+    for _ in range(5):
+        linked = linked @ linked
+    groups = []
+    for index in range(len(members)):
+        if not linked[index, :index].any():
+            group = members[linked[index]]
+            closer = len(group) > 2 and level + 1 < len(NEAR)
+            parts = _grouped(pairs, group, level + 1) if closer else [group]
+            # A looser cluster that does not fall apart into singles and couples stays whole.
+            groups += parts if max(map(len, parts)) <= 2 else [group]
+    return groups
+
+
+def _aligned(pairs: Complex) -> Complex:
+    """The pairs of a cluster with the signs that bring them together."""
+    near = abs(pairs - pairs[0]).max((1, 2)) <= abs(pairs + pairs[0]).max((1, 2))
+    return np.where(near[:, np.newaxis, np.newaxis], pairs, -pairs)
+
+
+Modes = tuple[list[Array], list[int]]
+
+
+def _group(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
+    """The modes of one cluster, or None where a simple solution was found twice."""
+    mean = pairs.mean(axis=0)
+    if len(pairs) == 1:
+        return _single(row, pairs[0])
+    if abs(mean.imag).max() > NEAR[0]:
+        return [], []
+    center = _orthonormal(mean.real.astype(np.complex128)).real
+    if len(pairs) > 2:
+        return ([center], [len(pairs)]) if abs(mean.imag).max() <= REAL else ([], [])
+    index = np.zeros(1, dtype=np.int64)
+    found = folds(row, index, center[np.newaxis], tolerance)
+    if found.lost[0]:
+        return _couple(row, pairs, center)
+    if found.merged[0]:
+        return [found.directions[0]], [2]
+    if not found.apart[0]:
+        return [], []
+    both, converged = polished(row, np.zeros(2, dtype=np.int64), split(found)[:, 0])
+    return (list(both), [1, 1]) if converged.all() else None
+
+
+def _single(row: Rows, pair: Complex) -> Modes | None:
+    if abs(pair.imag).max() > REAL:
+        return [], []
+    directions, converged = polished(row, np.zeros(1, dtype=np.int64), pair.real[np.newaxis])
+    return ([directions[0]], [1]) if converged[0] else None
+
+
+def _couple(row: Rows, pairs: Complex, center: Array) -> Modes | None:
+    """Two solutions close together that are no fold: each on its own, if they are two."""
+    if abs(pairs[0] - pairs[1]).max() > SAME:
+        singles = [_single(row, pair) for pair in pairs]
+        if None in singles:
+            return None
+        return [m for s in singles if s for m in s[0]], [n for s in singles if s for n in s[1]]
+    local = kernels.newton_step(row.radius[0], row.position[0], row.lengths[0], center)
+    singular = np.linalg.svd(local.gradient, compute_uv=False)
+    regular = singular[2] > CORANK_ONE * singular[0]
+    return None if regular else ([center], [2])

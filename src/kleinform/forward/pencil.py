@@ -1,0 +1,116 @@
+"""All 32 pairs of solutions, the complex ones too, by an eigenvalue problem.
+
+The half-angle tangents (t, s) of two legs satisfy two equations of degree 4 in each. Their
+Sylvester matrix in s is a matrix polynomial S(t) of size 8 and degree 4: its 32 eigenvalues
+are the t, and its null vectors are (1, s, ..., s⁷).
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kleinform.forward.circle import Rows, turned
+from kleinform.forward.polish import unlabelled
+from kleinform.generated import kernels
+
+__all__ = ["PAIRS", "Pairs", "pairs_of"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+Integers = NDArray[np.int64]
+
+#: Solutions modulo the reflection n → −n: 4·4 + 4·4 by Bézout's theorem.
+PAIRS = 32
+DEGREE = 4
+STEPS = 6
+#: Angles at which t = 0 and s = 0, in turn: none is special for the mechanism.
+STARTS = ((0.4, 1.1), (2.3, 0.7), (1.5, 2.9))
+
+
+@dataclass(frozen=True)
+class Pairs:
+    """One of each pair of solutions: n_1 and n_2 (N, 32, 2, 3), and Newton's last steps."""
+
+    directions: Complex
+    step: Array
+
+
+def pairs_of(rows: Rows, base: Integers, start: int = 0) -> Pairs:
+    """The solutions of rows; legs ``base`` and the one after it carry the unknowns."""
+    position = turned(rows.position, base)
+    order = (base[:, np.newaxis] + np.arange(3)) % 3
+    lengths = np.take_along_axis(rows.lengths, order, axis=1)
+    angles = np.array(STARTS[start])
+    turn = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
+    tables = kernels.circles(rows.radius, position, lengths, turn)
+    angle, cone = (_scaled(table) for table in (tables.angle, tables.cone))
+    t, s = _eigenpairs(angle, cone)
+    t, s, step = _newton(np.stack([angle, cone], axis=1), t, s)
+    first, second = (_along(table, half) for table, half in ((tables.first, t), (tables.second, s)))
+    relabelled = np.stack([first, _facing(first, second)], axis=-2)
+    everywhere = np.repeat(base, PAIRS)
+    flat = turned(relabelled, base, back=True).reshape(-1, 2, 3)
+    return Pairs(unlabelled(flat, everywhere).reshape(relabelled.shape), step)
+
+
+def _scaled(table: Array) -> Array:
+    return table / abs(table).max(axis=(1, 2), keepdims=True)
+
+
+def _eigenpairs(angle: Array, cone: Array) -> tuple[Complex, Complex]:
+    """Eigenvalues t of the Sylvester matrix polynomial, and s of their null vectors."""
+    count, size = len(angle), 2 * DEGREE
+    sylvester = np.zeros((count, DEGREE + 1, size, size))
+    for shift in range(DEGREE):
+        columns = slice(shift, shift + DEGREE + 1)
+        sylvester[:, :, shift, columns] = angle
+        sylvester[:, :, DEGREE + shift, columns] = cone
+    companion = np.zeros((count, DEGREE * size, DEGREE * size))
+    companion[:, :-size, size:] = np.eye((DEGREE - 1) * size)
+    blocks = np.concatenate(list(np.moveaxis(sylvester[:, :DEGREE], 1, 0)), axis=2)
+    companion[:, -size:] = -np.linalg.solve(sylvester[:, DEGREE], blocks)
+    values, vectors = np.linalg.eig(companion)
+    null = vectors[:, :size]
+    low = abs(null[:, 0]) >= abs(null[:, -1])
+    with np.errstate(divide="ignore", invalid="ignore"):
+        s = np.where(low, null[:, 1] / null[:, 0], null[:, -1] / null[:, -2])
+    return values.astype(np.complex128), s.astype(np.complex128)
+
+
+def _newton(tables: Array, t: Complex, s: Complex) -> tuple[Complex, Complex, Array]:
+    """Newton's method on the two equations, for all pairs of all rows."""
+    powers = np.arange(DEGREE + 1)
+    with np.errstate(all="ignore"):
+        for _ in range(STEPS):
+            left, right = t[..., np.newaxis] ** powers, s[..., np.newaxis] ** powers
+            left_slope = powers * np.concatenate([left[..., :1], left[..., :-1]], axis=-1)
+            right_slope = powers * np.concatenate([right[..., :1], right[..., :-1]], axis=-1)
+            over = np.einsum("nekl,npl->nepk", tables, right)
+            (f, g), (ft, gt) = (
+                np.moveaxis(np.einsum("npk,nepk->nep", side, over), 1, 0)
+                for side in (left, left_slope)
+            )
+            fs, gs = np.moveaxis(
+                np.einsum("npk,nekl,npl->nep", left, tables, right_slope, optimize=True), 1, 0
+            )
+            determinant = ft * gs - fs * gt
+            step_t, step_s = (f * gs - fs * g) / determinant, (ft * g - f * gt) / determinant
+            t, s = t - step_t, s - step_s
+        size = abs(step_t) / (1.0 + abs(t) ** 2) + abs(step_s) / (1.0 + abs(s) ** 2)
+    return t, s, size
+
+
+def _along(table: Array, half: Complex) -> Complex:
+    """Unit vectors from C to B at half-angle tangents (N, 32)."""
+    powers = half[..., np.newaxis] ** np.arange(3)
+    arm = np.einsum("npk,nkx->npx", powers, table)
+    return arm / np.sqrt(np.einsum("npx,npx->np", arm, arm))[..., np.newaxis]
+
+
+def _facing(first: Complex, second: Complex) -> Complex:
+    """The second directions with the sign that makes n_1·n_2 = −1/2."""
+    dot = np.einsum("npx,npx->np", first, second)
+    return np.where((dot.real < 0.0)[..., np.newaxis], second, -second)

@@ -1,0 +1,161 @@
+"""From an angle of the base leg to an assembly mode: Newton's method, and folds.
+
+A fold is where two modes meet: the three gradients G_i of the closure equations by a turn
+of the platform are coplanar. Near one, along the direction ``v`` that they leave free,
+``y·F`` is a parabola ``height + bend s²/2``. Its height decides: of one sign there are two
+modes, of the other none, and within what the joint values' tolerance can move it the two
+have merged.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kleinform.forward.circle import Circles, Rows, turned
+from kleinform.generated import kernels
+
+__all__ = ["Folds", "directions_at", "folds", "polished", "split"]
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+EPS = float(np.finfo(np.float64).eps)
+STEPS = 4
+FOLD_STEPS = 8
+#: Newton's last turn, for directions of length 1, when it has converged.
+CONVERGED = 1e-12
+#: Rounding of the height of a fold, in eps times the size of its terms.
+ROUNDING = 2.0
+#: A fold is where the second singular value of G is above this, relative to the first.
+CORANK_ONE = 1e-5
+
+
+def directions_at(rows: Rows, circles: Circles, row: Integers, psi: Array) -> Array:
+    """n_1 and n_2 (K, 2, 3) of the platform at zeros psi of the eliminants."""
+    angle = circles.leg(row, psi)
+    turn = kernels.half_turn(
+        rows.radius[row],
+        circles.position[row],
+        circles.lengths[row],
+        angle,
+        circles.reference(row, rows.radius, angle),
+    )
+    # Both rows of the adjugate are along (x³, x²y, xy², y³); the longer one has it best.
+    squares = np.einsum("kij,kij->ki", turn.powers, turn.powers)
+    first = squares[:, 0] >= squares[:, 1]
+    powers = np.where(first[:, np.newaxis], turn.powers[:, 0], turn.powers[:, 1])
+    half = np.where(first[:, np.newaxis], powers[:, :2], powers[:, 2:])
+    relabelled = kernels.turned_directions(turn.frame, half).directions
+    return unlabelled(turned(relabelled, circles.base[row], back=True), circles.base[row])
+
+
+def unlabelled(directions: Array, base: Integers) -> Array:
+    """n_1, n_2 from the directions of the base limb and the one after it."""
+    own, following = directions[:, 0], directions[:, 1]
+    ordered = np.stack([own, following, -own - following], axis=1)
+    order = (np.arange(2) - base[:, np.newaxis]) % 3
+    return np.take_along_axis(ordered, order[:, :, np.newaxis], axis=1)
+
+
+def polished(rows: Rows, row: Integers, directions: Array) -> tuple[Array, Mask]:
+    """Newton's method to the end, and where it converged."""
+    radius, position, lengths = rows.radius[row], rows.position[row], rows.lengths[row]
+    for _ in range(STEPS):
+        step = kernels.newton_step(radius, position, lengths, directions)
+        directions = step.next
+        size = np.einsum("ki,ki->k", step.turn, step.turn)
+        if (size <= CONVERGED**2).all():
+            break
+    return directions, size <= CONVERGED**2
+
+
+@dataclass(frozen=True)
+class Folds:
+    """Folds that were found: directions at each, and its parabola.
+
+    ``merged`` where the tolerance covers the height, ``apart`` where there are two modes at
+    ``±reach`` along ``free``, ``lost`` where no fold was found.
+    """
+
+    directions: Array
+    free: Array
+    reach: Array
+    merged: Mask
+    apart: Mask
+    lost: Mask
+
+
+def folds(rows: Rows, row: Integers, directions: Array, tolerance: float) -> Folds:
+    """Find the fold nearest to some directions, and decide on which side of it the row is."""
+    radius, joints = rows.radius[row], rows.joints[row]
+    aside = np.zeros(len(row))
+    toward = None
+    for _ in range(FOLD_STEPS):
+        local = kernels.fold(radius, joints, directions)
+        if toward is None:
+            toward = _left(local.gradient)
+        matrix = np.zeros((len(row), 4, 4))
+        matrix[:, :3, :3], matrix[:, :3, 3] = local.gradient, -toward
+        matrix[:, 3, :3] = local.volume_gradient
+        side = np.concatenate(
+            [local.residual - aside[:, np.newaxis] * toward, local.volume[:, np.newaxis]], axis=1
+        )
+        step = _solved(matrix, -side)
+        directions = turn_by(directions, step[:, :3])
+        aside = aside + step[:, 3]
+    return _judged(kernels.fold(radius, joints, directions), directions, step, tolerance)
+
+
+def _left(gradient: Array) -> Array:
+    """The unit combination y of the closure equations that a turn changes least."""
+    return np.linalg.svd(np.where(np.isfinite(gradient), gradient, 0.0))[0][:, :, 2]
+
+
+def _solved(matrix: Array, side: Array) -> Array:
+    """Solutions of small systems, NaN where one is singular."""
+    good = np.isfinite(matrix).all((1, 2)) & np.isfinite(side).all(1)
+    scale = np.where(good, abs(matrix).max((1, 2), initial=0.0), 1.0)
+    good &= abs(np.linalg.det(np.where(good[:, None, None], matrix, 0.0))) > 0.0 * scale
+    result = np.full(side.shape, np.nan)
+    result[good] = np.linalg.solve(matrix[good], side[good][..., np.newaxis])[..., 0]
+    return result
+
+
+def _judged(local: kernels.Fold, directions: Array, step: Array, tolerance: float) -> Folds:
+    finite = np.isfinite(local.gradient).all((1, 2)) & np.isfinite(step).all(1)
+    left, singular, right = np.linalg.svd(
+        np.where(finite[:, np.newaxis, np.newaxis], local.gradient, 0.0)
+    )
+    y, free = left[:, :, 2], right[:, 2]
+    sign = np.sign(np.linalg.det(left) * np.linalg.det(right))
+    with np.errstate(divide="ignore", invalid="ignore"):
+        bend = np.einsum("ki,ki->k", local.volume_gradient, free) * sign
+        bend /= singular[:, 0] * singular[:, 1]
+        height = np.einsum("ki,ki->k", y, local.residual)
+        moved = np.einsum("ki,kij->kj", y, local.by_joints)
+        covered = tolerance * abs(moved).sum(1)
+        rounding = ROUNDING * EPS * abs(moved).sum(1)
+        reach = np.sqrt(-2.0 * height / bend)
+        lost = ~finite | ~(np.linalg.norm(step[:, :3], axis=1) <= 1e-9)
+        lost |= ~(singular[:, 1] >= CORANK_ONE * singular[:, 0]) | ~(abs(bend) > 0.0)
+    merged = ~lost & (abs(height) <= covered + rounding)
+    apart = ~lost & ~merged & (height * bend < 0.0)
+    return Folds(directions, free, reach, merged, apart, lost)
+
+
+def split(found: Folds) -> Array:
+    """Directions (2, K, 2, 3) of the two modes on either side of each fold."""
+    step = found.reach[:, np.newaxis] * found.free
+    return np.stack([turn_by(found.directions, step), turn_by(found.directions, -step)])
+
+
+def turn_by(directions: Array, turn: Array) -> Array:
+    """Directions (K, 2, 3) turned by Cayley's rotation of some small rotation vectors."""
+    half = 0.5 * turn[:, np.newaxis]
+    inner = directions + np.cross(half, directions)
+    factor = 2.0 / (1.0 + np.einsum("kij,kij->ki", half, half))
+    return directions + factor[:, :, np.newaxis] * np.cross(half, inner)
