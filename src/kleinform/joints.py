@@ -8,9 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import JointRangeError
-from kleinform.screening import Screen, real_array, reject_bad_numbers
+from kleinform.screening import Errors, Screen, real_array, reject_bad_numbers
 
-__all__ = ["checked_joints"]
+__all__ = ["checked_joints", "screened_joints"]
 
 Array = NDArray[np.float64]
 
@@ -24,8 +24,15 @@ def checked_joints(value: ArrayLike) -> Array:
     JointRangeError
         A length q1, q2, q3, q6 is negative, or q5 is outside [−π/2, π/2].
     """
+    joints, screen = screened_joints(value, "raise")
+    screen.settle()
+    return joints
+
+
+def screened_joints(value: ArrayLike, errors: Errors) -> tuple[Array, Screen]:
+    """Joint values (..., 6), and a screen with the rows that are out of their ranges."""
     joints = real_array("joints", value, (6,))
-    screen = Screen(joints.shape[:-1], "raise")
+    screen = Screen(joints.shape[:-1], errors)
     reject_bad_numbers(screen, "joints", joints, 1)
     for index in (0, 1, 2, 5):
         length = joints[..., index]
@@ -34,5 +41,4 @@ def checked_joints(value: ArrayLike) -> Array:
     elevation = joints[..., 4]
     rule = "joints: q5 in [−π/2, π/2] is needed"
     screen.reject(abs(elevation) > pi / 2.0, JointRangeError, rule, elevation)
-    screen.settle()
-    return joints
+    return joints, screen

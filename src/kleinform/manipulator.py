@@ -8,6 +8,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import InputError
+from kleinform.forward.displacement import TOLERANCE, all_modes, all_modes_batch, start_of
+from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 from kleinform.generated import kernels
 from kleinform.pose import Pose, check_pose
 from kleinform.results import Jacobians, Screws, Singularity, Survey, factors_by_name
@@ -123,6 +125,58 @@ class UncoupledManipulator:
             result.joints[..., 3] = np.where(on_axis, pose.azimuth, result.joints[..., 3])
         pose.screen.blank(result.joints)
         return result.joints
+
+    def forward_displacement(
+        self, joints: ArrayLike, *, tolerance: float = TOLERANCE, certify: bool = False
+    ) -> AssemblyModes:
+        """All real assembly modes of joint values, equations (5) and (6).
+
+        Parameters
+        ----------
+        joints : array_like (6,)
+            q1, q2, q3 [m], q4, q5 [rad], q6 [m].
+        tolerance : float
+            Relative: solutions that merge for some joint values ``q_j (1 ± tolerance)`` are
+            one mode with its multiplicity. The default, 4 eps, makes a double root of joint
+            values that were rounded to float64 one; 0 takes the joint values as exact, as far
+            as float64 can tell.
+        certify : bool
+            Prove with ball arithmetic, for all joint values within the tolerance, that
+            nothing is missing (extra ``certify``). The proof, or why there is none, is
+            ``.certificate``.
+
+        Returns
+        -------
+        AssemblyModes
+            Joint values that no pose has give none; ``.status`` and ``.degenerate`` name what
+            is special.
+
+        Raises
+        ------
+        JointRangeError
+            A length is negative, or q5 is outside [−π/2, π/2].
+        InputError
+        """
+        return all_modes(self.radius, joints, tolerance, certify)
+
+    def forward_displacement_batch(
+        self, joints: ArrayLike, *, tolerance: float = TOLERANCE, errors: Errors = "raise"
+    ) -> AssemblyModesBatch:
+        """All real assembly modes of many joint values, in flat arrays with offsets.
+
+        Parameters
+        ----------
+        joints : array_like (N, 6)
+        tolerance
+            As in `forward_displacement`.
+        errors : {"raise", "nan"}
+            With "nan" a row that is refused has no modes and the status ``"invalid"``.
+
+        Returns
+        -------
+        AssemblyModesBatch
+        """
+        return all_modes_batch(self.radius, joints, tolerance, errors)
 
     # Velocity analysis ------------------------------------------------------------------
 
@@ -349,7 +403,13 @@ class UncoupledManipulator:
 
     # Motion -----------------------------------------------------------------------------
 
-    def track(self, joints: ArrayLike, start_rotation: RotationLike) -> tuple[Array, Array]:
+    def track(
+        self,
+        joints: ArrayLike,
+        start_rotation: RotationLike | None = None,
+        *,
+        mode: int | None = None,
+    ) -> tuple[Array, Array]:
         """Follow one assembly mode along a motion of the joints.
 
         Parameters
@@ -358,6 +418,8 @@ class UncoupledManipulator:
             Joint values over time; samples are joined by straight segments of joint space.
         start_rotation : array_like (3, 3), or anything with ``as_matrix()``
             A rotation near that of the mode to follow at the first sample.
+        mode : int
+            Instead of it, the number of the mode in ``forward_displacement(joints[0])``.
 
         Returns
         -------
@@ -371,6 +433,10 @@ class UncoupledManipulator:
             factor of the direct singularity changes its sign.
         JointRangeError, InputError
         """
+        if (start_rotation is None) == (mode is None):
+            raise InputError("track: either start_rotation or mode= is needed")
+        if mode is not None:
+            start_rotation = start_of(self.radius, joints, mode)
         positions, rotations = track(self.radius, joints, start_rotation)
         refuse_crossings(self.direct_singularity(positions, rotations))
         return positions, rotations

@@ -181,3 +181,14 @@ def reject_bad_rotations(screen: Screen, name: str, rotation: Array, tolerance: 
         f"{name}: not a rotation (its defect may be {tolerance})",
         defect,
     )
+
+
+def one_rotation(name: str, value: RotationLike) -> Array:
+    """A single rotation (3, 3), checked."""
+    rotation, tolerance = rotation_array(name, value)
+    if rotation.shape != (3, 3):
+        raise ShapeError(f"{name}: shape (3, 3) is needed, {rotation.shape} arrived")
+    screen = Screen((), "raise")
+    reject_bad_rotations(screen, name, rotation, tolerance)
+    screen.settle()
+    return rotation

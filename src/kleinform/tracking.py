@@ -17,7 +17,7 @@ from kleinform.errors import ShapeError, TrackingError
 from kleinform.generated import kernels
 from kleinform.joints import checked_joints
 from kleinform.results import Singularity
-from kleinform.screening import RotationLike, Screen, reject_bad_rotations, rotation_array
+from kleinform.screening import RotationLike, one_rotation
 
 __all__ = ["newton", "refuse_crossings", "track"]
 
@@ -41,12 +41,7 @@ BASIS = np.eye(6).reshape(6, 2, 3)
 def track(radius: Array, joints: ArrayLike, start_rotation: RotationLike) -> tuple[Array, Array]:
     """Positions and rotations along a motion; see `UncoupledManipulator.track`."""
     motion = _checked_motion(radius, joints)
-    start, tolerance = rotation_array("start_rotation", start_rotation)
-    if start.shape != (3, 3):
-        raise ShapeError(f"start_rotation: shape (3, 3) is needed, {start.shape} arrived")
-    screen = Screen((), "raise")
-    reject_bad_rotations(screen, "start_rotation", start, tolerance)
-    screen.settle()
+    start = one_rotation("start_rotation", start_rotation)
     positions = kernels.central_forward(motion[:, 3:]).position
     followed = np.empty((len(motion), 2, 3))
     followed[0] = _first(float(radius), motion[0], start)

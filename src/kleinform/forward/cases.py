@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from kleinform.forward.circle import COSINE, SINE, Rows
 
-__all__ = ["in_plane", "on_circle", "reach_of", "zero_leg"]
+__all__ = ["in_plane", "in_plane_exactly", "on_circle", "reach_of", "zero_leg"]
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -17,7 +17,7 @@ EPS = float(np.finfo(np.float64).eps)
 ROUNDING = 8.0
 #: C counts as in the plane of a leg below this distance, in reaches: two modes that differ in
 #: one B alone are then so close in the platform's directions that these do not tell them apart.
-IN_PLANE = 1e-6
+IN_PLANE = 1e-3
 
 
 def reach_of(rows: Rows) -> Array:
@@ -35,6 +35,11 @@ def across(rows: Rows) -> Array:
 def in_plane(rows: Rows) -> Mask:
     """Limbs with C in the plane of their leg, c·u_i = a (N, 3)."""
     return abs(across(rows)) <= IN_PLANE * reach_of(rows)
+
+
+def in_plane_exactly(rows: Rows, tolerance: float) -> Mask:
+    """Limbs with c·u_i = a within rounding and the tolerance of the joint values (N, 3)."""
+    return abs(across(rows)) <= (ROUNDING * EPS + tolerance) * reach_of(rows)
 
 
 def zero_leg(rows: Rows) -> Mask:

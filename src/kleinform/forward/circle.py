@@ -93,8 +93,11 @@ def turned(vectors: Array, base: Integers, back: bool = False) -> Array:
     """Turn vectors (N, ..., 3) about Z so that the base limb comes to limb 1, or back."""
     axes = (slice(None),) + (np.newaxis,) * (vectors.ndim - 2)
     cosine, sine = COSINE[base][axes], SINE[base][axes] * (-1.0 if back else 1.0)
-    x, y, z = np.moveaxis(vectors, -1, 0)
-    return np.stack([cosine * x - sine * y, sine * x + cosine * y, z], axis=-1)
+    result = np.empty(vectors.shape, dtype=vectors.dtype)
+    x, y = vectors[..., 0], vectors[..., 1]
+    result[..., 0], result[..., 1] = cosine * x - sine * y, sine * x + cosine * y
+    result[..., 2] = vectors[..., 2]
+    return result
 
 
 def circles_of(rows: Rows, rank: int) -> Circles:

@@ -5,11 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.cases import in_plane
 from kleinform.forward.circle import Rows
 from kleinform.forward.pencil import PAIRS, STARTS, pairs_of
 from kleinform.forward.polish import CORANK_ONE, folds, polished, split
-from kleinform.forward.solver import Found
+from kleinform.forward.solver import Found, found, together
 from kleinform.generated import kernels
 
 __all__ = ["by_pencil", "candidates"]
@@ -70,20 +69,20 @@ def _orthonormal(directions: Complex) -> Complex:
 def by_pencil(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
     """Modes of rows from all 32 pairs, and the rows in which all 32 are accounted for."""
     solved = np.zeros(len(rows), dtype=bool)
-    found = [Found(np.empty(0, np.int64), np.empty((0, 2, 3)), np.empty(0, np.int64))]
+    parts = []
     for start in range(len(STARTS)):
         for base in range(3):
             left = np.flatnonzero(~solved)
             if not len(left):
                 break
             pairs = candidates(rows[left], base, start)
-            for index, number in enumerate(left):
-                modes = _modes(rows[[number]], pairs[index], tolerance)
+            for number, own in zip(left, pairs, strict=True):
+                modes = _modes(rows[[number]], own, tolerance)
                 if modes is not None:
                     solved[number] = True
-                    row = np.full(len(modes[1]), number)
-                    found.append(Found(row, *modes))
-    return Found(*map(np.concatenate, zip(*found, strict=True))), solved
+                    directions, multiplicity = modes
+                    parts.append(found(np.full(len(directions), number), directions, multiplicity))
+    return together(parts), solved
 
 
 def _modes(
@@ -142,14 +141,14 @@ def _group(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
     if len(pairs) > 2:
         return ([center], [len(pairs)]) if abs(mean.imag).max() <= REAL else ([], [])
     index = np.zeros(1, dtype=np.int64)
-    found = folds(row, index, center[np.newaxis], tolerance)
-    if found.lost[0]:
+    near = folds(row, index, center[np.newaxis], tolerance)
+    if near.lost[0]:
         return _couple(row, pairs, center)
-    if found.merged[0]:
-        return [found.directions[0]], [2]
-    if not found.apart[0]:
+    if near.merged[0]:
+        return [near.directions[0]], [2]
+    if not near.apart[0]:
         return [], []
-    both, converged = polished(row, np.zeros(2, dtype=np.int64), split(found)[:, 0])
+    both, converged = polished(row, np.zeros(2, dtype=np.int64), split(near)[:, 0])
     return (list(both), [1, 1]) if converged.all() else None
 
 

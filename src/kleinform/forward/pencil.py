@@ -32,9 +32,23 @@ STARTS = ((0.4, 1.1), (2.3, 0.7), (1.5, 2.9))
 
 @dataclass(frozen=True)
 class Pairs:
-    """One of each pair of solutions: n_1 and n_2 (N, 32, 2, 3), and Newton's last steps."""
+    """One of each pair of solutions.
+
+    Attributes
+    ----------
+    directions : complex array (N, 32, 2, 3)
+        n_1 and n_2.
+    half_tangents : complex array (N, 32, 2)
+        t and s of the legs ``base`` and the one after it.
+    extension : complex array (N, 32, 2)
+        e of these two limbs.
+    step : array (N, 32)
+        Newton's last step in (t, s), as the angle of a half turn.
+    """
 
     directions: Complex
+    half_tangents: Complex
+    extension: Complex
     step: Array
 
 
@@ -49,11 +63,17 @@ def pairs_of(rows: Rows, base: Integers, start: int = 0) -> Pairs:
     angle, cone = (_scaled(table) for table in (tables.angle, tables.cone))
     t, s = _eigenpairs(angle, cone)
     t, s, step = _newton(np.stack([angle, cone], axis=1), t, s)
-    first, second = (_along(table, half) for table, half in ((tables.first, t), (tables.second, s)))
-    relabelled = np.stack([first, _facing(first, second)], axis=-2)
-    everywhere = np.repeat(base, PAIRS)
+    arms = np.stack(
+        [_arms(table, half) for table, half in ((tables.first, t), (tables.second, s))], axis=2
+    )
+    extension = np.sqrt(np.einsum("npix,npix->npi", arms, arms))
+    # The sign that makes n_1·n_2 = −1/2.
+    facing = np.einsum("npx,npx->np", arms[:, :, 0], arms[:, :, 1]) / extension.prod(axis=2)
+    extension[:, :, 1] *= np.where(facing.real < 0.0, 1.0, -1.0)
+    relabelled = arms / extension[..., np.newaxis]
     flat = turned(relabelled, base, back=True).reshape(-1, 2, 3)
-    return Pairs(unlabelled(flat, everywhere).reshape(relabelled.shape), step)
+    directions = unlabelled(flat, np.repeat(base, PAIRS)).reshape(arms.shape)
+    return Pairs(directions, np.stack([t, s], axis=2), extension, step)
 
 
 def _scaled(table: Array) -> Array:
@@ -103,14 +123,7 @@ def _newton(tables: Array, t: Complex, s: Complex) -> tuple[Complex, Complex, Ar
     return t, s, size
 
 
-def _along(table: Array, half: Complex) -> Complex:
-    """Unit vectors from C to B at half-angle tangents (N, 32)."""
+def _arms(table: Array, half: Complex) -> Complex:
+    """From C to B at half-angle tangents (N, 32)."""
     powers = half[..., np.newaxis] ** np.arange(3)
-    arm = np.einsum("npk,nkx->npx", powers, table)
-    return arm / np.sqrt(np.einsum("npx,npx->np", arm, arm))[..., np.newaxis]
-
-
-def _facing(first: Complex, second: Complex) -> Complex:
-    """The second directions with the sign that makes n_1·n_2 = −1/2."""
-    dot = np.einsum("npx,npx->np", first, second)
-    return np.where((dot.real < 0.0)[..., np.newaxis], second, -second)
+    return np.einsum("npk,nkx->npx", powers, table) / (1.0 + half**2)[..., np.newaxis]

@@ -17,25 +17,37 @@ from numpy.typing import NDArray
 from kleinform.forward.circle import Circles, Rows, turned
 from kleinform.generated import kernels
 
-__all__ = ["Folds", "directions_at", "folds", "polished", "split"]
+__all__ = [
+    "Folds",
+    "folds",
+    "on_leg",
+    "polished",
+    "relabelled_back",
+    "split",
+    "starts",
+    "unlabelled",
+]
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
 EPS = float(np.finfo(np.float64).eps)
-STEPS = 4
+STEPS = 6
 FOLD_STEPS = 8
-#: Newton's last turn, for directions of length 1, when it has converged.
-CONVERGED = 1e-12
+#: Newton's last step in angle: converged, and so far that another step would change nothing.
+CONVERGED, SETTLED = 1e-10, 1e-14
 #: Rounding of the height of a fold, in eps times the size of its terms.
 ROUNDING = 2.0
 #: A fold is where the second singular value of G is above this, relative to the first.
 CORANK_ONE = 1e-5
 
 
-def directions_at(rows: Rows, circles: Circles, row: Integers, psi: Array) -> Array:
-    """n_1 and n_2 (K, 2, 3) of the platform at zeros psi of the eliminants."""
+def starts(rows: Rows, circles: Circles, row: Integers, psi: Array) -> tuple[Array, Array]:
+    """Cosine and sine of the base leg's angle at zeros psi of the eliminants, and n_1, n_2.
+
+    The limbs are relabelled: the base is limb 1.
+    """
     angle = circles.leg(row, psi)
     turn = kernels.half_turn(
         rows.radius[row],
@@ -46,11 +58,46 @@ def directions_at(rows: Rows, circles: Circles, row: Integers, psi: Array) -> Ar
     )
     # Both rows of the adjugate are along (x³, x²y, xy², y³); the longer one has it best.
     squares = np.einsum("kij,kij->ki", turn.powers, turn.powers)
-    first = squares[:, 0] >= squares[:, 1]
-    powers = np.where(first[:, np.newaxis], turn.powers[:, 0], turn.powers[:, 1])
-    half = np.where(first[:, np.newaxis], powers[:, :2], powers[:, 2:])
-    relabelled = kernels.turned_directions(turn.frame, half).directions
-    return unlabelled(turned(relabelled, circles.base[row], back=True), circles.base[row])
+    first = (squares[:, 0] >= squares[:, 1])[:, np.newaxis]
+    powers = np.where(first, turn.powers[:, 0], turn.powers[:, 1])
+    half = np.where(first, powers[:, :2], powers[:, 2:])
+    return angle, kernels.turned_directions(turn.frame, half).directions
+
+
+def on_leg(
+    rows: Rows, circles: Circles, row: Integers, angle: Array, directions: Array
+) -> tuple[Array, Array, Array, Mask]:
+    """Newton's method in the angle of the base leg and the turn about n_1.
+
+    Returns the angle, n_1 and n_2 (K, 2, 3), the distance from C to B of the base limb, and
+    where it converged; relabelled as in `starts`.
+    """
+    angle, second, directions = angle.copy(), directions[:, 1].copy(), directions.copy()
+    distance, size = np.empty(len(row)), np.full(len(row), np.inf)
+    active = np.arange(len(row))
+    for _ in range(STEPS):
+        own = row[active]
+        step = kernels.leg_step(
+            rows.radius[own],
+            circles.position[own],
+            circles.lengths[own],
+            angle[active],
+            second[active],
+        )
+        size[active] = abs(step.steps).max(axis=1, initial=0.0)
+        distance[active] = step.extension
+        directions[active] = step.directions
+        moving = size[active] > SETTLED
+        active = active[moving]
+        if not len(active):
+            break
+        angle[active], second[active] = step.angle[moving], step.second[moving]
+    return angle, directions, distance, size <= CONVERGED
+
+
+def relabelled_back(directions: Array, base: Integers) -> Array:
+    """n_1 and n_2 of the platform from those that `starts` and `on_leg` give."""
+    return unlabelled(turned(directions, base, back=True), base)
 
 
 def unlabelled(directions: Array, base: Integers) -> Array:
@@ -67,10 +114,10 @@ def polished(rows: Rows, row: Integers, directions: Array) -> tuple[Array, Mask]
     for _ in range(STEPS):
         step = kernels.newton_step(radius, position, lengths, directions)
         directions = step.next
-        size = np.einsum("ki,ki->k", step.turn, step.turn)
-        if (size <= CONVERGED**2).all():
+        size = abs(step.turn).max(axis=1, initial=0.0)
+        if (size <= SETTLED).all():
             break
-    return directions, size <= CONVERGED**2
+    return directions, size <= CONVERGED
 
 
 @dataclass(frozen=True)

@@ -9,10 +9,9 @@ from numpy.typing import NDArray
 
 from kleinform.forward.circle import Circles, Rows, circles_of, fourier
 from kleinform.forward.isolate import Zeros, isolate
-from kleinform.forward.polish import directions_at, folds, polished, split
-from kleinform.generated import kernels
+from kleinform.forward.polish import folds, on_leg, polished, relabelled_back, split, starts
 
-__all__ = ["Found", "by_eliminant"]
+__all__ = ["Found", "by_eliminant", "nothing", "together"]
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -32,29 +31,47 @@ MOST_CLUSTERS = 6
 
 
 class Found(NamedTuple):
-    """Modes in the order in which they were found: the row of each, n_1 and n_2, and how many
-    solutions have merged in it."""
+    """Modes as they are found.
+
+    The row of each, n_1 and n_2 (K, 2, 3), how many solutions have merged in it, and the e_i
+    (K, 3) where they do not follow from n_i, NaN where they do.
+    """
 
     row: Integers
     directions: Array
     multiplicity: Integers
+    extension: Array
+
+
+def found(row: Integers, directions: Array, multiplicity: Integers | int) -> Found:
+    """Modes whose e_i follow from their directions."""
+    number = np.broadcast_to(np.asarray(multiplicity, dtype=np.int64), row.shape)
+    return Found(row, directions.reshape(-1, 2, 3), number, np.full((len(row), 3), np.nan))
+
+
+def nothing() -> Found:
+    """No mode."""
+    return found(np.empty(0, dtype=np.int64), np.empty((0, 2, 3)), 1)
+
+
+def together(parts: list[Found]) -> Found:
+    """The modes of all parts."""
+    return Found(*map(np.concatenate, zip(nothing(), *parts, strict=True)))
 
 
 def by_eliminant(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
     """Modes of rows, and the rows for which all were found and every check held."""
     solved = np.zeros(len(rows), dtype=bool)
-    found = []
+    parts = []
     for rank in range(3):
         left = np.flatnonzero(~solved)
         if not len(left):
             break
         attempt, good = _attempt(rows[left], rank, tolerance)
-        keep = good[attempt.row]
-        found.append(
-            Found(left[attempt.row[keep]], attempt.directions[keep], attempt.multiplicity[keep])
-        )
+        kept = Found(*(entry[good[attempt.row]] for entry in attempt))
+        parts.append(kept._replace(row=left[kept.row]))
         solved[left[good]] = True
-    return Found(*map(np.concatenate, zip(*found, strict=True))), solved
+    return together(parts), solved
 
 
 def _attempt(rows: Rows, rank: int, tolerance: float) -> tuple[Found, Mask]:
@@ -68,68 +85,61 @@ def _attempt(rows: Rows, rank: int, tolerance: float) -> tuple[Found, Mask]:
     clusters = np.bincount(zeros.row[~zeros.simple], minlength=len(rows))
     good &= clusters <= MOST_CLUSTERS
     zeros = Zeros(*(entry[good[zeros.row]] for entry in zeros))
-    directions = directions_at(rows, circles, zeros.row, zeros.guess)
-    simple = zeros.simple
-    alone, held = _simple(rows, circles, Zeros(*(entry[simple] for entry in zeros)), directions[simple])
+    angle, directions = starts(rows, circles, zeros.row, zeros.guess)
+    simple, cluster = zeros.simple, ~zeros.simple
+    cells = Zeros(*(entry[simple] for entry in zeros))
+    alone, held = _simple(rows, circles, cells, angle[simple], directions[simple])
     good[alone.row[~held]] = False
-    together, lost = _clusters(rows, zeros.row[~simple], directions[~simple], tolerance)
+    row = zeros.row[cluster]
+    near = relabelled_back(directions[cluster], circles.base[row])
+    close, lost = _clusters(rows, row, near, tolerance)
     good[lost] = False
-    found = Found(*map(np.concatenate, zip(alone, together, strict=True)))
-    return found, good & _consistent(found, len(rows))
+    modes = together([alone, close])
+    return modes, good & _consistent(modes, len(rows))
 
 
-def _simple(rows: Rows, circles: Circles, zeros: Zeros, directions: Array) -> tuple[Found, Mask]:
+def _simple(
+    rows: Rows, circles: Circles, zeros: Zeros, angle: Array, directions: Array
+) -> tuple[Found, Mask]:
     """Modes at simple zeros, and where Newton's method converged within the cell."""
-    directions, converged = polished(rows, zeros.row, directions)
-    found = Found(zeros.row, directions, np.ones(len(zeros.row), dtype=np.int64))
-    moved = circles.psi(zeros.row, base_angle(rows, circles, found)) - zeros.guess
+    row, base = zeros.row, circles.base[zeros.row]
+    angle, directions, distance, converged = on_leg(rows, circles, row, angle, directions)
+    modes = found(row, relabelled_back(directions, base), 1)
+    modes.extension[np.arange(len(row)), base] = distance
+    moved = circles.psi(row, np.arctan2(angle[:, 1], angle[:, 0])) - zeros.guess
     moved -= 2.0 * np.pi * np.round(moved / (2.0 * np.pi))
     inside = (moved >= zeros.low - zeros.guess - EDGE) & (moved <= zeros.high - zeros.guess + EDGE)
-    return found, converged & inside
-
-
-def base_angle(rows: Rows, circles: Circles, found: Found) -> Array:
-    """The angle of the base leg of each mode."""
-    rotation = kernels.rotation_from_directions(
-        found.directions[:, 0], found.directions[:, 1]
-    ).rotation
-    legs = kernels.limb_geometry(rows.radius[found.row], rows.position[found.row], rotation).w
-    own = legs[np.arange(len(found.row)), circles.base[found.row]]
-    turns = 2.0 * np.pi / 3.0 * circles.base[found.row]
-    return np.arctan2(own[:, 2], np.cos(turns) * own[:, 1] - np.sin(turns) * own[:, 0])
+    return modes, converged & inside
 
 
 def _clusters(
     rows: Rows, row: Integers, directions: Array, tolerance: float
 ) -> tuple[Found, Integers]:
     """Modes at and beside folds, and the rows in which a cluster is no plain fold."""
-    found = folds(rows, row, directions, tolerance)
-    far = np.linalg.norm(found.directions - directions, axis=(1, 2)) > FARTHEST
-    lost = found.lost | far | (found.apart & ~(found.reach <= FARTHEST))
+    if not len(row):
+        return nothing(), row
+    near = folds(rows, row, directions, tolerance)
+    far = np.linalg.norm(near.directions - directions, axis=(1, 2)) > FARTHEST
+    lost = near.lost | far | (near.apart & ~(near.reach <= FARTHEST))
+    # Cells side by side may lead to the same fold.
     again = np.zeros(len(row), dtype=bool)
-    same = (row[1:] == row[:-1]) & (
-        np.linalg.norm(found.directions[1:] - found.directions[:-1], axis=(1, 2)) <= SAME
-    )
-    again[1:] = same & ~lost[1:] & ~lost[:-1]
-    apart, merged = found.apart & ~lost & ~again, found.merged & ~lost & ~again
+    gap = np.linalg.norm(near.directions[1:] - near.directions[:-1], axis=(1, 2))
+    again[1:] = (row[1:] == row[:-1]) & (gap <= SAME) & ~lost[1:] & ~lost[:-1]
+    apart, merged = near.apart & ~lost & ~again, near.merged & ~lost & ~again
     two = np.tile(row[apart], 2)
-    both, converged = polished(rows, two, split(found)[:, apart].reshape(-1, 2, 3))
-    modes = Found(
-        np.concatenate([row[merged], two]),
-        np.concatenate([found.directions[merged], both]),
-        np.concatenate([np.full(merged.sum(), 2), np.ones(len(two), dtype=np.int64)]),
-    )
+    both, converged = polished(rows, two, split(near)[:, apart].reshape(-1, 2, 3))
+    modes = together([found(row[merged], near.directions[merged], 2), found(two, both, 1)])
     return modes, np.concatenate([row[lost], two[~converged]])
 
 
-def _consistent(found: Found, count: int) -> Mask:
+def _consistent(modes: Found, count: int) -> Mask:
     """Rows with an even number of modes, no two of them the same."""
-    number = np.bincount(found.row, weights=found.multiplicity, minlength=count)
+    number = np.bincount(modes.row, weights=modes.multiplicity, minlength=count)
     good = number % 2 == 0
     # Each mode once, whichever of the pair ±n it is: sorted by what both have in common.
-    shape = found.directions[:, 0] * np.sign(found.directions[:, :1, 2])
-    order = np.lexsort((shape[:, 0], found.row))
-    row, directions = found.row[order], found.directions[order]
+    shape = modes.directions[:, 0] * np.sign(modes.directions[:, :1, 2])
+    order = np.lexsort((shape[:, 0], modes.row))
+    row, directions = modes.row[order], modes.directions[order]
     for shift in (1, 2):
         gap = np.minimum(
             np.linalg.norm(directions[shift:] - directions[:-shift], axis=(1, 2)),

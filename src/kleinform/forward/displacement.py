@@ -1,0 +1,111 @@
+"""From joint values as they arrive to their assembly modes."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from kleinform.errors import InputError, ShapeError
+from kleinform.forward.cases import in_plane_exactly, zero_leg
+from kleinform.forward.circle import Rows
+from kleinform.forward.clusters import candidates
+from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
+from kleinform.forward.solve import INVALID, STATUS, UNDECIDED, solve
+from kleinform.generated import kernels
+from kleinform.joints import screened_joints
+from kleinform.screening import Errors, lead_of, real_array
+
+__all__ = ["TOLERANCE", "all_modes", "all_modes_batch", "start_of"]
+
+Array = NDArray[np.float64]
+
+#: A double root of joint values in float64 is one for joint values a few roundings away.
+TOLERANCE = 4.0 * float(np.finfo(np.float64).eps)
+
+
+def all_modes(
+    radius: Array, joints: ArrayLike, tolerance: float, certify: bool
+) -> AssemblyModes:
+    """See `UncoupledManipulator.forward_displacement`."""
+    given = real_array("joints", joints, (6,))
+    if given.ndim != 1 or radius.ndim:
+        raise ShapeError(
+            f"joints: shape (6,) and one radius are needed, {given.shape} and "
+            f"{radius.shape} arrived; see forward_displacement_batch"
+        )
+    modes = all_modes_batch(radius, given[np.newaxis], tolerance, "raise")[0]
+    return _certified(float(radius), modes) if certify else modes
+
+
+def all_modes_batch(
+    radius: Array, joints: ArrayLike, tolerance: float, errors: Errors
+) -> AssemblyModesBatch:
+    """See `UncoupledManipulator.forward_displacement_batch`."""
+    allowed = _checked_tolerance(tolerance)
+    values, screen = screened_joints(joints, errors)
+    if values.ndim != 2:
+        raise ShapeError(f"joints: shape (N, 6) is needed, {values.shape} arrived")
+    lead = lead_of(joints=values.shape[:-1], radius=radius.shape)
+    if lead != values.shape[:-1]:
+        raise ShapeError(f"radius: shape () or (N,) is needed, {radius.shape} arrived")
+    screen.settle()
+    valid = np.flatnonzero(screen.valid)
+    rows = rows_of(np.broadcast_to(radius, lead)[valid], values[valid])
+    solved = solve(rows, allowed)
+    status = np.full(len(values), INVALID)
+    status[valid] = solved.status
+    special = np.zeros((len(values), 7), dtype=bool)
+    special[valid] = np.concatenate(
+        [in_plane_exactly(rows, allowed), zero_leg(rows), rows.joints[:, 5:] == 0.0], axis=1
+    )
+    position = np.full((len(values), 3), np.nan)
+    position[valid] = rows.position
+    listed = ~np.isin(solved.status[solved.row], UNDECIDED)
+    count = np.bincount(valid[solved.row[listed]], minlength=len(values))
+    return AssemblyModesBatch(
+        values,
+        position,
+        np.concatenate([[0], np.cumsum(count)]),
+        *(entry[listed] for entry in solved[1:-1]),
+        tolerance=allowed,
+        status_codes=status,
+        degenerate_codes=special,
+    )
+
+
+def start_of(radius: Array, joints: ArrayLike, mode: int) -> Array:
+    """The rotation of a mode, by its number, at the first sample of a motion (T, 6)."""
+    motion = real_array("joints", joints, (6,))
+    if motion.ndim != 2 or not len(motion):
+        raise ShapeError(f"joints: shape (T, 6) with T >= 1 is needed, {motion.shape} arrived")
+    modes = all_modes(radius, motion[0], TOLERANCE, certify=False)
+    if mode not in range(len(modes)):
+        raise InputError(f"mode: the first sample has {len(modes)} modes, {mode!r} arrived")
+    return modes.rotation[mode]
+
+
+def rows_of(radius: Array, joints: Array) -> Rows:
+    """Joint values (N, 6) as they enter the closure equations."""
+    position = np.ascontiguousarray(kernels.central_forward(joints[:, 3:]).position)
+    return Rows(radius, position, np.ascontiguousarray(joints[:, :3]), joints)
+
+
+def _checked_tolerance(tolerance: float) -> float:
+    value = real_array("tolerance", tolerance, ())
+    if value.ndim or not 0.0 <= value < 1.0:
+        raise InputError(f"tolerance: one number in [0, 1) is needed, {tolerance!r} arrived")
+    return float(value)
+
+
+def _certified(radius: float, modes: AssemblyModes) -> AssemblyModes:
+    """The modes with their certificate; undecided where it proves another number of them."""
+    from kleinform.forward.certificate import certify
+
+    row = rows_of(np.array([radius]), modes.joints[np.newaxis])
+    proof = certify(radius, modes.joints, modes.tolerance, candidates(row)[0])
+    status = modes.status
+    if proof.complete and proof.real != len(modes):
+        status = STATUS[UNDECIDED]
+    return replace(modes, status=status, certificate=proof)

@@ -1,0 +1,171 @@
+"""Every row by the way that suits it, and what is known of the rows in the end."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kleinform.forward.cases import in_plane, on_circle, zero_leg
+from kleinform.forward.circle import COSINE, SINE, Rows
+from kleinform.forward.clusters import by_pencil
+from kleinform.forward.in_plane import by_circles
+from kleinform.forward.solver import Found, by_eliminant, found, together
+from kleinform.forward.zero_legs import by_zero_leg
+from kleinform.generated import kernels
+
+__all__ = ["INVALID", "STATUS", "UNDECIDED", "Solved", "solve"]
+
+Array = NDArray[np.float64]
+Integers = NDArray[np.int64]
+Mask = NDArray[np.bool_]
+
+#: What is known of a row of joint values.
+STATUS = ("regular", "merged", "none", "infinite", "undecided", "invalid")
+REGULAR, MERGED, NONE, INFINITE, UNDECIDED, INVALID = range(len(STATUS))
+#: Rows that are solved at once, so that what lies between stays in cache.
+BLOCK = 512
+#: Closure equations (6) of a mode: their residual relative to the sum of their terms.
+RESIDUAL = 1e-12
+
+
+class Solved(NamedTuple):
+    """Modes of rows, sorted by row and within a row, and the status of each row."""
+
+    row: Integers
+    rotation: Array
+    directions: Array
+    platform_joints: Array
+    extension: Array
+    direct_determinant: Array
+    multiplicity: Integers
+    status: Integers
+
+
+def solve(rows: Rows, tolerance: float) -> Solved:
+    """All assembly modes of rows of joint values."""
+    scale = np.exp2(-np.frexp(_size(rows))[1])
+    parts = []
+    for start in range(0, len(rows), BLOCK):
+        block = slice(start, start + BLOCK)
+        modes, status = _block(_scaled(rows[block], scale[block]), tolerance)
+        parts.append((modes._replace(row=modes.row + start), status))
+    modes = together([part for part, _ in parts])
+    status = np.concatenate([np.empty(0, np.int64), *(part for _, part in parts)])
+    modes = modes._replace(extension=modes.extension / scale[modes.row, np.newaxis])
+    return _sorted(_complete(rows, modes, status))
+
+
+def _size(rows: Rows) -> Array:
+    return np.maximum(
+        rows.radius, np.maximum(abs(rows.position).max(1), rows.lengths.max(1))
+    )
+
+
+def _scaled(rows: Rows, scale: Array) -> Rows:
+    """The same mechanism in other units, by a power of two: no digit changes."""
+    joints = rows.joints.copy()
+    joints[:, [0, 1, 2, 5]] *= scale[:, np.newaxis]
+    return Rows(
+        rows.radius * scale,
+        rows.position * scale[:, np.newaxis],
+        rows.lengths * scale[:, np.newaxis],
+        joints,
+    )
+
+
+def _block(rows: Rows, tolerance: float) -> tuple[Found, Integers]:
+    infinite = on_circle(rows, tolerance).any(axis=1)
+    zero = zero_leg(rows)
+    pointlike = zero.any(axis=1) & ~infinite
+    flat = in_plane(rows).any(axis=1)
+    ordinary = ~(infinite | pointlike)
+    status = np.select([infinite, pointlike], [INFINITE, REGULAR], UNDECIDED)
+    parts = []
+    for number in np.flatnonzero(pointlike):
+        limb = int(np.argmax(zero[number]))
+        directions = by_zero_leg(rows[[number]], limb, tolerance)
+        parts.append(found(np.full(len(directions), number), directions, 2))
+    for mask, way in ((ordinary, by_eliminant), (ordinary & ~flat, by_pencil), (flat, by_circles)):
+        chosen = np.flatnonzero(mask & (status == UNDECIDED))
+        if len(chosen):
+            modes, solved = way(rows[chosen], tolerance)
+            kept = Found(*(entry[solved[modes.row]] for entry in modes))
+            parts.append(kept._replace(row=chosen[kept.row]))
+            status[chosen[solved]] = REGULAR
+    return together(parts), status
+
+
+def _complete(rows: Rows, modes: Found, status: Integers) -> Solved:
+    """Everything that follows from the directions of each mode."""
+    row, directions = modes.row, modes.directions
+    radius, position = rows.radius[row], rows.position[row]
+    three = np.concatenate([directions, -directions.sum(axis=1, keepdims=True)], axis=1)
+    extension = _fitted(rows, modes, three)
+    sign = np.where(_needs_reflection(extension), -1.0, 1.0)
+    extension *= sign[:, np.newaxis]
+    three *= sign[:, np.newaxis, np.newaxis]
+    turned = kernels.rotation_from_directions(three[:, 0], three[:, 1])
+    rotation = np.ascontiguousarray(turned.rotation)
+    points = position[:, np.newaxis] + extension[..., np.newaxis] * three
+    squares = np.einsum("kij,kij->ki", points, points)
+    terms = radius[:, np.newaxis] ** 2 + rows.lengths[row] ** 2
+    bad = ~(abs(squares - terms) <= RESIDUAL * (squares + terms)).all(axis=1)
+    status = status.copy()
+    status[row[bad]] = UNDECIDED
+    status[row[(modes.multiplicity > 1) & (status[row] == REGULAR)]] = MERGED
+    none = np.bincount(row, minlength=len(rows)) == 0
+    status[none & (status == REGULAR)] = NONE
+    determinant = kernels.direct_singularity(radius, position, rotation).determinant
+    return Solved(
+        row, rotation, three, points, extension, determinant, modes.multiplicity, status
+    )
+
+
+def _fitted(rows: Rows, modes: Found, directions: Array) -> Array:
+    """The e_i, by (4) where they are not known yet, and one step of Gauss and Newton's method.
+
+    B_i = c + e_i n_i lies in the plane of its leg and at the leg's length from A_i. Where n_i
+    is almost parallel to the plane, (4) alone leaves e_i uncertain.
+    """
+    row = modes.row
+    axes = np.stack([COSINE, -SINE, np.zeros(3)], axis=-1)
+    from_foot = rows.position[:, np.newaxis] - rows.radius[:, np.newaxis, np.newaxis] * axes
+    from_foot = from_foot[row]
+    incidence = np.einsum("kij,ij->ki", directions, axes)
+    with np.errstate(divide="ignore", invalid="ignore"):
+        by_plane = -np.einsum("kij,ij->ki", from_foot, axes) / incidence
+        extension: Array = np.where(np.isnan(modes.extension), by_plane, modes.extension)
+        leg = from_foot + extension[..., np.newaxis] * directions
+        length = np.sqrt(np.einsum("kij,kij->ki", leg, leg))
+        along = np.einsum("kij,kij->ki", leg, directions) / length
+        step = incidence * np.einsum("kij,ij->ki", leg, axes)
+        step += along * (length - rows.lengths[row])
+        step /= incidence**2 + along**2
+    return extension - np.where(length > 0.0, step, 0.0)
+
+
+def _needs_reflection(extension: Array) -> Mask:
+    """Of each pair ±n the one with more e_i > 0 than e_i < 0; of equals, the first e_i > 0."""
+    signs = np.sign(extension).astype(np.int64)
+    balance = signs.sum(axis=1)
+    first = signs[np.arange(len(signs)), np.argmax(signs != 0, axis=1)]
+    return (balance < 0) | ((balance == 0) & (first < 0))
+
+
+def _sorted(solved: Solved) -> Solved:
+    """By row; then feasible modes first; then by the angles of legs 1 and 2, falling."""
+    feasible = (solved.extension > 0.0).all(axis=1)
+    keys = [-_leg_angle(solved, limb) for limb in (1, 0)]
+    order = np.lexsort((*keys, ~feasible, solved.row))
+    return Solved(*(entry[order] for entry in solved[:-1]), solved.status)
+
+
+def _leg_angle(solved: Solved, limb: int) -> Array:
+    """The angle of B_i about the axis of its base revolute, from t_i, in [0, 2π)."""
+    turn = 2.0 * np.pi / 3.0 * limb
+    points = solved.platform_joints[:, limb]
+    along = np.cos(turn) * points[:, 1] - np.sin(turn) * points[:, 0]
+    angle: Array = np.arctan2(points[:, 2], along) % (2.0 * np.pi)
+    return angle
