@@ -6,12 +6,14 @@ from kleinform.errors import (
     InputError,
     JointRangeError,
     KleinformError,
+    MissingExtraError,
     NotARotationError,
     NotFiniteError,
     ShapeError,
     SingularPoseError,
     TrackingError,
 )
+from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.results import Jacobians, Screws, Singularity, Survey
 from kleinform.rotations import (
@@ -22,12 +24,15 @@ from kleinform.rotations import (
 )
 
 __all__ = [
+    "AssemblyModes",
+    "AssemblyModesBatch",
     "DtypeError",
     "GeneratedCodeError",
     "InputError",
     "Jacobians",
     "JointRangeError",
     "KleinformError",
+    "MissingExtraError",
     "NotARotationError",
     "NotFiniteError",
     "RollPitchYaw",

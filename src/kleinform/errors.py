@@ -11,6 +11,7 @@ __all__ = [
     "InputError",
     "JointRangeError",
     "KleinformError",
+    "MissingExtraError",
     "NotARotationError",
     "NotFiniteError",
     "ShapeError",
@@ -55,6 +56,10 @@ class NotARotationError(InputError):
 
 class JointRangeError(InputError):
     """A joint value is outside its range: q1, q2, q3, q6 >= 0, |q5| <= π/2."""
+
+
+class MissingExtraError(KleinformError, ImportError):
+    """What was asked for needs a package that an extra of kleinform installs."""
 
 
 class SingularPoseError(KleinformError):

@@ -50,8 +50,6 @@ def zero_leg(rows: Rows) -> Mask:
 def on_circle(rows: Rows, tolerance: float) -> Mask:
     """Limbs with C on the circle of their B: with B at C the limb holds nothing (N, 3)."""
     slack = (ROUNDING * EPS + tolerance) * reach_of(rows)
-    foot = rows.radius[:, np.newaxis, np.newaxis] * np.stack(
-        [COSINE, -SINE, np.zeros(3)], axis=-1
-    )
+    foot = rows.radius[:, np.newaxis, np.newaxis] * np.stack([COSINE, -SINE, np.zeros(3)], axis=-1)
     distance = np.linalg.norm(rows.position[:, np.newaxis] - foot, axis=2)
     return (abs(across(rows)) <= slack) & (abs(distance - rows.lengths) <= slack)

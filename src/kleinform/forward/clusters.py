@@ -7,18 +7,32 @@ from numpy.typing import NDArray
 
 from kleinform.forward.circle import Rows
 from kleinform.forward.pencil import PAIRS, STARTS, pairs_of
-from kleinform.forward.polish import CORANK_ONE, folds, polished, split
+from kleinform.forward.polish import (
+    CONVERGED,
+    CORANK_ONE,
+    ROUNDING,
+    folds,
+    polished,
+    split,
+    turn_by,
+)
 from kleinform.forward.solver import Found, found, together
 from kleinform.generated import kernels
 
-__all__ = ["by_pencil", "candidates"]
+__all__ = ["by_pencil", "candidates", "mirrored"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 Mask = NDArray[np.bool_]
 
 EPS = float(np.finfo(np.float64).eps)
-NEWTON = 4
+#: Newton's method on all pairs: simple ones need two or three steps, each step halves the
+#: distance of multiple ones.
+NEWTON, NEWTON_MULTIPLE = 4, 24
+#: Steps to the center of a cluster, and the turn for differences of the gradient there.
+CENTER_STEPS, TURN = 12, 1e-4
+#: Singular values of the gradient below this, relative to the first, vanish at the center.
+VANISHING = 1e-5
 #: Solutions nearer than this belong to one cluster; a cluster of m that should be one point
 #: is spread by rounding over eps^(1/m).
 NEAR = (1e-3, 1e-5, 1e-7)
@@ -27,21 +41,40 @@ REAL = 1e-8
 SAME = 1e-9
 
 
-def candidates(rows: Rows, base: int = 0, start: int = 0) -> Complex:
+def candidates(rows: Rows) -> Complex:
     """One of each pair ±n (N, 32, 2, 3) by the pencil, polished on the closure equations."""
-    directions = pairs_of(rows, np.full(len(rows), base), start).directions
-    return polished_pairs(rows, directions)
+    directions = pairs_of(rows, np.zeros(len(rows), dtype=np.int64)).directions
+    return polished_pairs(rows, directions, NEWTON)
 
 
-def polished_pairs(rows: Rows, directions: Complex) -> Complex:
+def mirrored(row: Rows, pairs: Complex) -> Complex:
+    """For solutions close to a fold, the points on its other side (K, 2, 3).
+
+    Two solutions may be so close that Newton's method leads from both to the same one.
+    """
+    points = []
+    for members in _grouped(pairs, np.arange(len(pairs)), 0):
+        if len(members) != 2:
+            continue
+        both = _aligned(pairs[members])
+        center = _orthonormal(both.mean(axis=0).real.astype(np.complex128)).real
+        near = folds(row, np.zeros(1, dtype=np.int64), center[np.newaxis], 0.0)
+        points += [2.0 * near.directions[0] - solution for solution in both]
+    return np.array(points, dtype=np.complex128).reshape(-1, 2, 3)
+
+
+def polished_pairs(rows: Rows, directions: Complex, steps: int) -> Complex:
     """Newton's method on rotations, for complex directions (N, P, 2, 3)."""
-    cones = [cone[:, np.newaxis] for cone in kernels.cones(rows.radius, rows.position, rows.lengths)]
+    cones = [
+        cone[:, np.newaxis] for cone in kernels.cones(rows.radius, rows.position, rows.lengths)
+    ]
     with np.errstate(all="ignore"):
-        for _ in range(NEWTON):
+        for _ in range(steps):
             first, second = directions[..., 0, :], directions[..., 1, :]
             all_three = (first, second, -first - second)
             slopes = [
-                np.einsum("...ij,...j->...i", cone, n) for cone, n in zip(cones, all_three, strict=True)
+                np.einsum("...ij,...j->...i", cone, n)
+                for cone, n in zip(cones, all_three, strict=True)
             ]
             g = [2.0 * np.cross(n, slope) for n, slope in zip(all_three, slopes, strict=True)]
             f = [
@@ -75,7 +108,8 @@ def by_pencil(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
             left = np.flatnonzero(~solved)
             if not len(left):
                 break
-            pairs = candidates(rows[left], base, start)
+            pairs = pairs_of(rows[left], np.full(len(left), base), start).directions
+            pairs = polished_pairs(rows[left], pairs, NEWTON_MULTIPLE)
             for number, own in zip(left, pairs, strict=True):
                 modes = _modes(rows[[number]], own, tolerance)
                 if modes is not None:
@@ -85,9 +119,7 @@ def by_pencil(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
     return together(parts), solved
 
 
-def _modes(
-    row: Rows, pairs: Complex, tolerance: float
-) -> tuple[Array, NDArray[np.int64]] | None:
+def _modes(row: Rows, pairs: Complex, tolerance: float) -> tuple[Array, NDArray[np.int64]] | None:
     """Real modes among 32 pairs and their multiplicities, or None if pairs are missing."""
     if not np.isfinite(pairs).all():
         return None
@@ -139,27 +171,68 @@ def _group(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
         return [], []
     center = _orthonormal(mean.real.astype(np.complex128)).real
     if len(pairs) > 2:
-        return ([center], [len(pairs)]) if abs(mean.imag).max() <= REAL else ([], [])
+        return _multiple(row, pairs, tolerance)
     index = np.zeros(1, dtype=np.int64)
     near = folds(row, index, center[np.newaxis], tolerance)
     if near.lost[0]:
-        return _couple(row, pairs, center)
+        return _couple(row, pairs, center, tolerance)
     if near.merged[0]:
         return [near.directions[0]], [2]
     if not near.apart[0]:
         return [], []
-    both, converged = polished(row, np.zeros(2, dtype=np.int64), split(near)[:, 0])
-    return (list(both), [1, 1]) if converged.all() else None
+    both, sure = split(row, index, near, near.apart)
+    return (list(both[:, 0]), [1, 1]) if sure.all() else None
 
 
 def _single(row: Rows, pair: Complex) -> Modes | None:
     if abs(pair.imag).max() > REAL:
         return [], []
-    directions, converged = polished(row, np.zeros(1, dtype=np.int64), pair.real[np.newaxis])
+    directions, converged = polished(
+        row, np.zeros(1, dtype=np.int64), pair.real[np.newaxis], CONVERGED
+    )
     return ([directions[0]], [1]) if converged[0] else None
 
 
-def _couple(row: Rows, pairs: Complex, center: Array) -> Modes | None:
+def _multiple(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
+    """Three and more solutions that have merged in one point, if they have."""
+    middle = np.median(pairs.real, axis=0) + 1j * np.median(pairs.imag, axis=0)
+    if abs(middle.imag).max() > NEAR[1]:
+        return [], []
+    center = _center(row, _orthonormal(middle).real)
+    if center is None or abs(center - middle.real).max() > NEAR[0]:
+        return None
+    local = kernels.fold(row.radius[0], row.joints[0], center)
+    covered = (tolerance + ROUNDING * EPS) * abs(local.by_joints).sum(axis=1)
+    return ([center], [len(pairs)]) if (abs(local.residual) <= covered).all() else None
+
+
+def _center(row: Rows, directions: Array) -> Array | None:
+    """Where the closure equations hold in all directions but those that G leaves free, and
+    where in these directions G stays zero: Gauss and Newton's method."""
+    args = row.radius[0], row.position[0], row.lengths[0]
+    for _ in range(CENTER_STEPS):
+        local = kernels.newton_step(*args, directions)
+        left, singular, right = np.linalg.svd(local.gradient)
+        free = singular <= max(VANISHING, 10.0 * singular[2] / singular[0]) * singular[0]
+        y, v = left[:, free], right[free].T
+        turns = TURN * np.concatenate([np.eye(3), -np.eye(3)])
+        around = kernels.newton_step(*args, turn_by(np.tile(directions, (6, 1, 1)), turns)).gradient
+        bend = (around[:3] - around[3:]) / (2.0 * TURN)
+        flat = np.einsum("ip,kij,jq->pqk", y, bend, v).reshape(-1, 3)
+        matrix = np.concatenate([left[:, ~free].T @ local.gradient, flat])
+        side = np.concatenate(
+            [left[:, ~free].T @ local.residual, (y.T @ local.gradient @ v).ravel()]
+        )
+        turn = -np.linalg.lstsq(matrix, side, rcond=VANISHING)[0]
+        if not np.isfinite(turn).all() or abs(turn).max() > 0.1:
+            return None
+        directions = turn_by(directions[np.newaxis], turn[np.newaxis])[0]
+        if abs(turn).max() <= EPS:
+            break
+    return directions
+
+
+def _couple(row: Rows, pairs: Complex, center: Array, tolerance: float) -> Modes | None:
     """Two solutions close together that are no fold: each on its own, if they are two."""
     if abs(pairs[0] - pairs[1]).max() > SAME:
         singles = [_single(row, pair) for pair in pairs]
@@ -169,4 +242,4 @@ def _couple(row: Rows, pairs: Complex, center: Array) -> Modes | None:
     local = kernels.newton_step(row.radius[0], row.position[0], row.lengths[0], center)
     singular = np.linalg.svd(local.gradient, compute_uv=False)
     regular = singular[2] > CORANK_ONE * singular[0]
-    return None if regular else ([center], [2])
+    return None if regular or tolerance == 0.0 else ([center], [2])

@@ -10,9 +10,10 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import InputError, ShapeError
 from kleinform.forward.cases import in_plane_exactly, zero_leg
 from kleinform.forward.circle import Rows
-from kleinform.forward.clusters import candidates
+from kleinform.forward.clusters import candidates, mirrored
 from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
-from kleinform.forward.solve import INVALID, STATUS, UNDECIDED, solve
+from kleinform.forward.solve import INVALID, STATUS, UNDECIDED, completed, solve
+from kleinform.forward.solver import found
 from kleinform.generated import kernels
 from kleinform.joints import screened_joints
 from kleinform.screening import Errors, lead_of, real_array
@@ -21,13 +22,19 @@ __all__ = ["TOLERANCE", "all_modes", "all_modes_batch", "start_of"]
 
 Array = NDArray[np.float64]
 
+LISTED = (
+    "rotation",
+    "directions",
+    "platform_joints",
+    "extension",
+    "direct_determinant",
+    "multiplicity",
+)
 #: A double root of joint values in float64 is one for joint values a few roundings away.
 TOLERANCE = 4.0 * float(np.finfo(np.float64).eps)
 
 
-def all_modes(
-    radius: Array, joints: ArrayLike, tolerance: float, certify: bool
-) -> AssemblyModes:
+def all_modes(radius: Array, joints: ArrayLike, tolerance: float, certify: bool) -> AssemblyModes:
     """See `UncoupledManipulator.forward_displacement`."""
     given = real_array("joints", joints, (6,))
     if given.ndim != 1 or radius.ndim:
@@ -100,12 +107,32 @@ def _checked_tolerance(tolerance: float) -> float:
 
 
 def _certified(radius: float, modes: AssemblyModes) -> AssemblyModes:
-    """The modes with their certificate; undecided where it proves another number of them."""
+    """The modes with their certificate, which also decides what rounding hides."""
     from kleinform.forward.certificate import certify
-
     row = rows_of(np.array([radius]), modes.joints[np.newaxis])
-    proof = certify(radius, modes.joints, modes.tolerance, candidates(row)[0])
-    status = modes.status
+    pairs = candidates(row)[0]
+    proof = certify(radius, modes.joints, modes.tolerance, pairs)
+    if not proof.complete:
+        pairs = np.concatenate([pairs, mirrored(row, pairs), _by_homotopy(row)])
+        proof = certify(radius, modes.joints, modes.tolerance, pairs)
     if proof.complete and proof.real != len(modes):
-        status = STATUS[UNDECIDED]
-    return replace(modes, status=status, certificate=proof)
+        proven = found(np.zeros(proof.real, np.int64), proof.centers[proof.is_real].real, 1)
+        solved = completed(row, proven)
+        agreed = proof.chart == "directions" and solved.status[0] != UNDECIDED
+        status = STATUS[solved.status[0] if agreed else UNDECIDED]
+        modes = replace(
+            modes,
+            **{name: getattr(solved, name)[: proof.real if agreed else 0] for name in LISTED},
+            status=status,
+        )
+    return replace(modes, certificate=proof)
+
+
+def _by_homotopy(row: Rows) -> NDArray[np.complex128]:
+    """One of each pair of solutions (32, 2, 3), not finite where a path ends at infinity."""
+    from kleinform.homotopy import solve_cones
+
+    cones = kernels.cones(row.radius, row.position, row.lengths)
+    paths = solve_cones(np.stack(cones, axis=1)).points[0]
+    with np.errstate(all="ignore"):
+        return (paths[:, 1:] / paths[:, :1]).reshape(-1, 2, 3)

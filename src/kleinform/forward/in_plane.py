@@ -71,7 +71,5 @@ def _groups(angles: Complex) -> list[NDArray[np.int64]]:
     gap -= 2.0 * np.pi * np.round(gap.real / (2.0 * np.pi))
     near = abs(gap).max(axis=-1) <= NEAR
     return [
-        np.flatnonzero(near[index])
-        for index in range(len(angles))
-        if not near[index, :index].any()
+        np.flatnonzero(near[index]) for index in range(len(angles)) if not near[index, :index].any()
     ]

@@ -63,16 +63,17 @@ def pairs_of(rows: Rows, base: Integers, start: int = 0) -> Pairs:
     angle, cone = (_scaled(table) for table in (tables.angle, tables.cone))
     t, s = _eigenpairs(angle, cone)
     t, s, step = _newton(np.stack([angle, cone], axis=1), t, s)
-    arms = np.stack(
-        [_arms(table, half) for table, half in ((tables.first, t), (tables.second, s))], axis=2
-    )
-    extension = np.sqrt(np.einsum("npix,npix->npi", arms, arms))
-    # The sign that makes n_1·n_2 = −1/2.
-    facing = np.einsum("npx,npx->np", arms[:, :, 0], arms[:, :, 1]) / extension.prod(axis=2)
-    extension[:, :, 1] *= np.where(facing.real < 0.0, 1.0, -1.0)
-    relabelled = arms / extension[..., np.newaxis]
-    flat = turned(relabelled, base, back=True).reshape(-1, 2, 3)
-    directions = unlabelled(flat, np.repeat(base, PAIRS)).reshape(arms.shape)
+    with np.errstate(all="ignore"):
+        arms = np.stack(
+            [_arms(table, half) for table, half in ((tables.first, t), (tables.second, s))], axis=2
+        )
+        extension = np.sqrt(np.einsum("npix,npix->npi", arms, arms))
+        # The sign that makes n_1·n_2 = −1/2.
+        facing = np.einsum("npx,npx->np", arms[:, :, 0], arms[:, :, 1]) / extension.prod(axis=2)
+        extension[:, :, 1] *= np.where(facing.real < 0.0, 1.0, -1.0)
+        relabelled = arms / extension[..., np.newaxis]
+        flat = turned(relabelled, base, back=True).reshape(-1, 2, 3)
+        directions = unlabelled(flat, np.repeat(base, PAIRS)).reshape(arms.shape)
     return Pairs(directions, np.stack([t, s], axis=2), extension, step)
 
 
@@ -91,13 +92,26 @@ def _eigenpairs(angle: Array, cone: Array) -> tuple[Complex, Complex]:
     companion = np.zeros((count, DEGREE * size, DEGREE * size))
     companion[:, :-size, size:] = np.eye((DEGREE - 1) * size)
     blocks = np.concatenate(list(np.moveaxis(sylvester[:, :DEGREE], 1, 0)), axis=2)
-    companion[:, -size:] = -np.linalg.solve(sylvester[:, DEGREE], blocks)
+    companion[:, -size:] = -_solved(sylvester[:, DEGREE], blocks)
     values, vectors = np.linalg.eig(companion)
     null = vectors[:, :size]
     low = abs(null[:, 0]) >= abs(null[:, -1])
     with np.errstate(divide="ignore", invalid="ignore"):
         s = np.where(low, null[:, 1] / null[:, 0], null[:, -1] / null[:, -2])
     return values.astype(np.complex128), s.astype(np.complex128)
+
+
+def _solved(matrix: Array, side: Array) -> Array:
+    """Solutions of many linear systems; zero where the matrix is singular."""
+    try:
+        return np.linalg.solve(matrix, side)
+    except np.linalg.LinAlgError:
+        if len(matrix) == 1:
+            return np.zeros_like(side)
+        parts = [
+            _solved(one[np.newaxis], own[np.newaxis]) for one, own in zip(matrix, side, strict=True)
+        ]
+        return np.concatenate(parts)
 
 
 def _newton(tables: Array, t: Complex, s: Complex) -> tuple[Complex, Complex, Array]:

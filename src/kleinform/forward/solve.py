@@ -15,7 +15,7 @@ from kleinform.forward.solver import Found, by_eliminant, found, together
 from kleinform.forward.zero_legs import by_zero_leg
 from kleinform.generated import kernels
 
-__all__ = ["INVALID", "STATUS", "UNDECIDED", "Solved", "solve"]
+__all__ = ["INVALID", "STATUS", "UNDECIDED", "Solved", "completed", "solve"]
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -54,13 +54,16 @@ def solve(rows: Rows, tolerance: float) -> Solved:
     modes = together([part for part, _ in parts])
     status = np.concatenate([np.empty(0, np.int64), *(part for _, part in parts)])
     modes = modes._replace(extension=modes.extension / scale[modes.row, np.newaxis])
-    return _sorted(_complete(rows, modes, status))
+    return _complete(rows, modes, status)
+
+
+def completed(rows: Rows, modes: Found) -> Solved:
+    """Everything that follows from modes that were found elsewhere, all of them simple."""
+    return _complete(rows, modes, np.full(len(rows), REGULAR))
 
 
 def _size(rows: Rows) -> Array:
-    return np.maximum(
-        rows.radius, np.maximum(abs(rows.position).max(1), rows.lengths.max(1))
-    )
+    return np.maximum(rows.radius, np.maximum(abs(rows.position).max(1), rows.lengths.max(1)))
 
 
 def _scaled(rows: Rows, scale: Array) -> Rows:
@@ -118,8 +121,8 @@ def _complete(rows: Rows, modes: Found, status: Integers) -> Solved:
     none = np.bincount(row, minlength=len(rows)) == 0
     status[none & (status == REGULAR)] = NONE
     determinant = kernels.direct_singularity(radius, position, rotation).determinant
-    return Solved(
-        row, rotation, three, points, extension, determinant, modes.multiplicity, status
+    return _sorted(
+        Solved(row, rotation, three, points, extension, determinant, modes.multiplicity, status)
     )
 
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from kleinform.forward.circle import Circles, Rows, circles_of, fourier
 from kleinform.forward.isolate import Zeros, isolate
-from kleinform.forward.polish import folds, on_leg, polished, relabelled_back, split, starts
+from kleinform.forward.polish import folds, on_leg, relabelled_back, split, starts
 
 __all__ = ["Found", "by_eliminant", "nothing", "together"]
 
@@ -126,10 +126,10 @@ def _clusters(
     gap = np.linalg.norm(near.directions[1:] - near.directions[:-1], axis=(1, 2))
     again[1:] = (row[1:] == row[:-1]) & (gap <= SAME) & ~lost[1:] & ~lost[:-1]
     apart, merged = near.apart & ~lost & ~again, near.merged & ~lost & ~again
+    both, sure = split(rows, row, near, apart)
     two = np.tile(row[apart], 2)
-    both, converged = polished(rows, two, split(near)[:, apart].reshape(-1, 2, 3))
     modes = together([found(row[merged], near.directions[merged], 2), found(two, both, 1)])
-    return modes, np.concatenate([row[lost], two[~converged]])
+    return modes, np.concatenate([row[lost], two[~sure.ravel()]])
 
 
 def _consistent(modes: Found, count: int) -> Mask:

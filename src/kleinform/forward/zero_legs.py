@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.forward.cases import reach_of
-from kleinform.forward.circle import Rows, turned
+from kleinform.forward.circle import COSINE, SINE, Rows, turned
 from kleinform.forward.polish import unlabelled
 from kleinform.generated import kernels
 
@@ -41,8 +41,11 @@ def by_zero_leg(row: Rows, limb: int, tolerance: float) -> Array:
     frame = np.stack([own, f, np.cross(own, f)])
     allowed = (tolerance + ROUNDING * EPS) * np.roll(reach_of(row)[0], -limb)
     modes: list[Array] = []
-    for start in _starts(row.radius, position, lengths, frame):
-        directions = _fitted(row.radius, position, lengths, frame, start)
+    fitted = [
+        _fitted(row.radius, position, lengths, frame, start)
+        for start in _starts(row.radius, position, lengths, frame)
+    ]
+    for directions in [*_known(row.radius, position, lengths, frame), *fitted]:
         missed = _missed(row.radius, position, lengths, directions)
         near = [mode for mode in modes if np.linalg.norm(mode - directions) <= SAME]
         if (missed <= allowed).all() and not near:
@@ -51,6 +54,18 @@ def by_zero_leg(row: Rows, limb: int, tolerance: float) -> Array:
         return np.empty((0, 2, 3))
     found = turned(np.array(modes), np.full(len(modes), limb), back=True)
     return unlabelled(found, np.full(len(modes), limb))
+
+
+def _known(radius: Array, position: Array, lengths: Array, frame: Array) -> Array:
+    """The two turns at which the direction of another limb of length zero is right."""
+    known = [
+        COSINE[limb] * np.array([1.0, 0.0, 0.0]) - SINE[limb] * np.array([0.0, 1.0, 0.0])
+        for limb in (1, 2)
+        if lengths[0, limb] == 0.0
+    ]
+    arms = np.array(known).reshape(-1, 3) * radius - position
+    phi = np.arctan2(arms @ frame[2], arms @ frame[1])
+    return _turned(frame, np.concatenate([phi, phi + np.pi]))
 
 
 def _turned(frame: Array, phi: Array) -> Array:
