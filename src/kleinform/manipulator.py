@@ -435,8 +435,7 @@ class UncoupledManipulator:
         """
         if (start_rotation is None) == (mode is None):
             raise InputError("track: either start_rotation or mode= is needed")
-        if mode is not None:
-            start_rotation = start_of(self.radius, joints, mode)
-        positions, rotations = track(self.radius, joints, start_rotation)
+        start = start_of(self.radius, joints, mode) if start_rotation is None else start_rotation
+        positions, rotations = track(self.radius, joints, start)
         refuse_crossings(self.direct_singularity(positions, rotations))
         return positions, rotations

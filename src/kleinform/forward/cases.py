@@ -23,28 +23,28 @@ IN_PLANE = 1e-3
 def reach_of(rows: Rows) -> Array:
     """a + |c| + q: the size of what the closure equations add up (N, 3)."""
     size = rows.radius + np.linalg.norm(rows.position, axis=1)
-    return size[:, np.newaxis] + rows.lengths
+    return np.asarray(size[:, np.newaxis] + rows.lengths)
 
 
 def across(rows: Rows) -> Array:
     """h_i = a − c·u_i, the distance of C from the planes of the legs (N, 3)."""
     x, y = rows.position[:, :1], rows.position[:, 1:2]
-    return rows.radius[:, np.newaxis] - COSINE * x + SINE * y
+    return np.asarray(rows.radius[:, np.newaxis] - COSINE * x + SINE * y)
 
 
 def in_plane(rows: Rows) -> Mask:
     """Limbs with C in the plane of their leg, c·u_i = a (N, 3)."""
-    return abs(across(rows)) <= IN_PLANE * reach_of(rows)
+    return np.asarray(abs(across(rows)) <= IN_PLANE * reach_of(rows))
 
 
 def in_plane_exactly(rows: Rows, tolerance: float) -> Mask:
     """Limbs with c·u_i = a within rounding and the tolerance of the joint values (N, 3)."""
-    return abs(across(rows)) <= (ROUNDING * EPS + tolerance) * reach_of(rows)
+    return np.asarray(abs(across(rows)) <= (ROUNDING * EPS + tolerance) * reach_of(rows))
 
 
 def zero_leg(rows: Rows) -> Mask:
     """Limbs with q_i = 0 (N, 3)."""
-    return rows.lengths == 0.0
+    return np.asarray(rows.lengths == 0.0)
 
 
 def on_circle(rows: Rows, tolerance: float) -> Mask:
@@ -52,4 +52,4 @@ def on_circle(rows: Rows, tolerance: float) -> Mask:
     slack = (ROUNDING * EPS + tolerance) * reach_of(rows)
     foot = rows.radius[:, np.newaxis, np.newaxis] * np.stack([COSINE, -SINE, np.zeros(3)], axis=-1)
     distance = np.linalg.norm(rows.position[:, np.newaxis] - foot, axis=2)
-    return (abs(across(rows)) <= slack) & (abs(distance - rows.lengths) <= slack)
+    return np.asarray((abs(across(rows)) <= slack) & (abs(distance - rows.lengths) <= slack))

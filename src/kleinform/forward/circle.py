@@ -12,6 +12,7 @@ polynomial of degree 16.
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import TypeVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -22,6 +23,7 @@ __all__ = ["DEGREE", "Circles", "Rows", "circles_of", "fourier", "turned"]
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
+Vectors = TypeVar("Vectors", Array, NDArray[np.complex128])
 
 #: Degree of the weighted eliminant in psi: 32 zeros, as many as there are pairs ±n.
 DEGREE = 16
@@ -46,7 +48,7 @@ class Rows:
     def __len__(self) -> int:
         return len(self.radius)
 
-    def __getitem__(self, index: object) -> Rows:
+    def __getitem__(self, index: slice | Integers | list[int]) -> Rows:
         return Rows(
             self.radius[index], self.position[index], self.lengths[index], self.joints[index]
         )
@@ -89,7 +91,7 @@ class Circles:
         return np.where(upright[..., np.newaxis], [1.0, 0.0, 0.0], [0.0, 0.0, 1.0])
 
 
-def turned(vectors: Array, base: Integers, back: bool = False) -> Array:
+def turned(vectors: Vectors, base: Integers, back: bool = False) -> Vectors:
     """Turn vectors (N, ..., 3) about Z so that the base limb comes to limb 1, or back."""
     axes = (slice(None),) + (np.newaxis,) * (vectors.ndim - 2)
     cosine, sine = COSINE[base][axes], SINE[base][axes] * (-1.0 if back else 1.0)
@@ -139,7 +141,7 @@ def fourier(rows: Rows, circles: Circles) -> tuple[Array, Array]:
     The eliminant is scaled to largest sample 1. Its rounding is read off the harmonics above
     the degree, which are zero but for it.
     """
-    psi = 2.0 * np.pi / SAMPLES * np.arange(SAMPLES)
+    psi: Array = 2.0 * np.pi / SAMPLES * np.arange(SAMPLES, dtype=np.float64)
     row = np.arange(len(rows))[:, np.newaxis]
     angle = circles.leg(row, psi)
     sampled = kernels.eliminant(

@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.forward.circle import Rows
+from kleinform.forward.found import Found, found, together
 from kleinform.forward.pencil import PAIRS, STARTS, pairs_of
 from kleinform.forward.polish import (
     CONVERGED,
@@ -16,7 +17,6 @@ from kleinform.forward.polish import (
     split,
     turn_by,
 )
-from kleinform.forward.solver import Found, found, together
 from kleinform.generated import kernels
 
 __all__ = ["by_pencil", "candidates", "mirrored"]
@@ -39,6 +39,8 @@ NEAR = (1e-3, 1e-5, 1e-7)
 #: An imaginary part below this is rounding: a pair of conjugates so close is a cluster.
 REAL = 1e-8
 SAME = 1e-9
+#: A cluster of more than two is farther from all other solutions than this times its size.
+APART = 20.0
 
 
 def candidates(rows: Rows) -> Complex:
@@ -96,13 +98,17 @@ def _orthonormal(directions: Complex) -> Complex:
     products = np.einsum("...ik,...jk->...ij", directions, directions)
     gram = np.linalg.inv(np.array([[1.0, -0.5], [-0.5, 1.0]]))
     excess = products - np.array([[1.0, -0.5], [-0.5, 1.0]])
-    return directions - 0.5 * np.einsum("...ij,jk,...kl->...il", excess, gram, directions)
+    correction = np.einsum("...ij,jk,...kl->...il", excess, gram, directions)
+    return np.asarray(directions - 0.5 * correction)
 
 
 def by_pencil(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
-    """Modes of rows from all 32 pairs, and the rows in which all 32 are accounted for."""
+    """Modes of rows from all 32 pairs, and the rows in which all 32 are accounted for.
+
+    A multiplicity above two counts only where two different pencils agree on it.
+    """
     solved = np.zeros(len(rows), dtype=bool)
-    parts = []
+    parts, seen = [], set()
     for start in range(len(STARTS)):
         for base in range(3):
             left = np.flatnonzero(~solved)
@@ -111,11 +117,15 @@ def by_pencil(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
             pairs = pairs_of(rows[left], np.full(len(left), base), start).directions
             pairs = polished_pairs(rows[left], pairs, NEWTON_MULTIPLE)
             for number, own in zip(left, pairs, strict=True):
-                modes = _modes(rows[[number]], own, tolerance)
-                if modes is not None:
+                modes = _modes(rows[[int(number)]], own, tolerance)
+                if modes is None:
+                    continue
+                directions, multiplicity = modes
+                answer = (number, *sorted(multiplicity.tolist()))
+                if multiplicity.max(initial=1) <= 2 or answer in seen:
                     solved[number] = True
-                    directions, multiplicity = modes
                     parts.append(found(np.full(len(directions), number), directions, multiplicity))
+                seen.add(answer)
     return together(parts), solved
 
 
@@ -125,6 +135,8 @@ def _modes(row: Rows, pairs: Complex, tolerance: float) -> tuple[Array, NDArray[
         return None
     directions, multiplicities = [], []
     for members in _grouped(pairs, np.arange(PAIRS), 0):
+        if len(members) > 2 and not _set_apart(pairs, members):
+            return None
         modes = _group(row, _aligned(pairs[members]), tolerance)
         if modes is None:
             return None
@@ -135,14 +147,10 @@ def _modes(row: Rows, pairs: Complex, tolerance: float) -> tuple[Array, NDArray[
 
 def _grouped(pairs: Complex, members: NDArray[np.int64], level: int) -> list[NDArray[np.int64]]:
     """Clusters of pairs; those of three and more are looked at again more closely."""
-    flat = pairs[members].reshape(len(members), -1)
-    gap = np.minimum(
-        abs(flat[:, np.newaxis] - flat).max(-1), abs(flat[:, np.newaxis] + flat).max(-1)
-    )
-    linked = gap <= NEAR[level]
+    linked = _distances(pairs[members]) <= NEAR[level]
     for _ in range(5):
         linked = linked @ linked
-    groups = []
+    groups: list[NDArray[np.int64]] = []
     for index in range(len(members)):
         if not linked[index, :index].any():
             group = members[linked[index]]
@@ -153,10 +161,26 @@ def _grouped(pairs: Complex, members: NDArray[np.int64], level: int) -> list[NDA
     return groups
 
 
+def _distances(pairs: Complex) -> Array:
+    """Distances between pairs ±n (m, m)."""
+    flat = pairs.reshape(len(pairs), -1)
+    nearer = np.minimum(
+        abs(flat[:, np.newaxis] - flat).max(-1), abs(flat[:, np.newaxis] + flat).max(-1)
+    )
+    return np.asarray(nearer)
+
+
+def _set_apart(pairs: Complex, members: NDArray[np.int64]) -> bool:
+    """Whether a cluster is so tight that no member of it can belong to another one."""
+    distances = _distances(pairs)[members]
+    outside = np.delete(distances, members, axis=1)
+    return bool(APART * distances[:, members].max() <= np.min(outside, initial=np.inf))
+
+
 def _aligned(pairs: Complex) -> Complex:
     """The pairs of a cluster with the signs that bring them together."""
     near = abs(pairs - pairs[0]).max((1, 2)) <= abs(pairs + pairs[0]).max((1, 2))
-    return np.where(near[:, np.newaxis, np.newaxis], pairs, -pairs)
+    return np.asarray(np.where(near[:, np.newaxis, np.newaxis], pairs, -pairs))
 
 
 Modes = tuple[list[Array], list[int]]

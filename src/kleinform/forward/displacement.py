@@ -11,9 +11,9 @@ from kleinform.errors import InputError, ShapeError
 from kleinform.forward.cases import in_plane_exactly, zero_leg
 from kleinform.forward.circle import Rows
 from kleinform.forward.clusters import candidates, mirrored
+from kleinform.forward.found import found
 from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 from kleinform.forward.solve import INVALID, STATUS, UNDECIDED, completed, solve
-from kleinform.forward.solver import found
 from kleinform.generated import kernels
 from kleinform.joints import screened_joints
 from kleinform.screening import Errors, lead_of, real_array
@@ -72,17 +72,17 @@ def all_modes_batch(
     listed = ~np.isin(solved.status[solved.row], UNDECIDED)
     count = np.bincount(valid[solved.row[listed]], minlength=len(values))
     return AssemblyModesBatch(
-        values,
-        position,
-        np.concatenate([[0], np.cumsum(count)]),
-        *(entry[listed] for entry in solved[1:-1]),
+        joints=values,
+        position=position,
+        offsets=np.concatenate([[0], np.cumsum(count)]),
+        **{name: getattr(solved, name)[listed] for name in LISTED},
         tolerance=allowed,
         status_codes=status,
         degenerate_codes=special,
     )
 
 
-def start_of(radius: Array, joints: ArrayLike, mode: int) -> Array:
+def start_of(radius: Array, joints: ArrayLike, mode: int | None) -> Array:
     """The rotation of a mode, by its number, at the first sample of a motion (T, 6)."""
     motion = real_array("joints", joints, (6,))
     if motion.ndim != 2 or not len(motion):
@@ -90,7 +90,8 @@ def start_of(radius: Array, joints: ArrayLike, mode: int) -> Array:
     modes = all_modes(radius, motion[0], TOLERANCE, certify=False)
     if mode not in range(len(modes)):
         raise InputError(f"mode: the first sample has {len(modes)} modes, {mode!r} arrived")
-    return modes.rotation[mode]
+    rotation: Array = modes.rotation[mode]
+    return rotation
 
 
 def rows_of(radius: Array, joints: Array) -> Rows:
@@ -109,6 +110,7 @@ def _checked_tolerance(tolerance: float) -> float:
 def _certified(radius: float, modes: AssemblyModes) -> AssemblyModes:
     """The modes with their certificate, which also decides what rounding hides."""
     from kleinform.forward.certificate import certify
+
     row = rows_of(np.array([radius]), modes.joints[np.newaxis])
     pairs = candidates(row)[0]
     proof = certify(radius, modes.joints, modes.tolerance, pairs)
@@ -135,4 +137,5 @@ def _by_homotopy(row: Rows) -> NDArray[np.complex128]:
     cones = kernels.cones(row.radius, row.position, row.lengths)
     paths = solve_cones(np.stack(cones, axis=1)).points[0]
     with np.errstate(all="ignore"):
-        return (paths[:, 1:] / paths[:, :1]).reshape(-1, 2, 3)
+        pairs: NDArray[np.complex128] = (paths[:, 1:] / paths[:, :1]).reshape(-1, 2, 3)
+    return pairs

@@ -12,8 +12,8 @@ from numpy.typing import NDArray
 
 from kleinform.forward.cases import in_plane
 from kleinform.forward.circle import Rows
+from kleinform.forward.found import Found, together
 from kleinform.forward.pencil import PAIRS, STARTS, pairs_of
-from kleinform.forward.solver import Found, together
 
 __all__ = ["by_circles"]
 

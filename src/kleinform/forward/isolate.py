@@ -52,10 +52,11 @@ def isolate(coefficients: Array, rounding: Array) -> Zeros:
     """
     degree = coefficients.shape[1] // 2
     local = (coefficients @ _cells(degree)).reshape(-1, LOCAL + 1)
-    width = 2.0 * np.pi / CELLS
+    width = 2.0 * float(np.pi) / CELLS
     changes, doubtful = _judge(local, np.repeat(rounding, CELLS))
     index = np.flatnonzero((changes > 0) | doubtful)
-    row, low = index // CELLS, (index % CELLS + OFFSET) * width
+    row = index // CELLS
+    low = ((index % CELLS).astype(np.float64) + OFFSET) * width
     local, changes, doubtful = local[index], changes[index], doubtful[index]
     found = []
     for _ in range(HALVINGS + 1):
@@ -65,22 +66,23 @@ def isolate(coefficients: Array, rounding: Array) -> Zeros:
         row, low, local = row[keep], low[keep], local[keep]
         if not len(row):
             break
-        last = row, low, width, local
+        coarse = _zeros(row, low, width, local, simple=False)
         width /= 2.0
         left, right = _halves(local)
         local = np.concatenate([left, right])
         row, low = np.concatenate([row, row]), np.concatenate([low, low + width])
         changes, doubtful = _judge(local, rounding[row])
     else:
-        found.append(_zeros(*last, simple=False))
-    return Zeros(*map(np.concatenate, zip(*found, strict=True)))
+        found.append(coarse)
+    return Zeros._make(map(np.concatenate, zip(*found, strict=True)))
 
 
 def _judge(local: Array, rounding: Array) -> tuple[Integers, Mask]:
     """Sign changes of the coefficients, and whether one of them may be zero."""
     positive = local > 0.0
-    changes = np.count_nonzero(positive[:, 1:] != positive[:, :-1], axis=1)
-    return changes, (abs(local) <= rounding[:, np.newaxis]).any(axis=1)
+    changes: Integers = (positive[:, 1:] != positive[:, :-1]).sum(axis=1)
+    doubtful: Mask = np.any(abs(local) <= rounding[:, np.newaxis], axis=1)
+    return changes, doubtful
 
 
 def _zeros(row: Integers, low: Array, width: float, local: Array, simple: bool) -> Zeros:
@@ -112,7 +114,7 @@ def _crossing(local: Array) -> Array:
             step = place - value / slope
         inside = (step >= low) & (step <= high)
         place = np.where(inside, step, 0.5 * (low + high))
-    return place
+    return np.asarray(place)
 
 
 def _halves(local: Array) -> tuple[Array, Array]:

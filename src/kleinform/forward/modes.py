@@ -91,8 +91,7 @@ class AssemblyModes:
     @property
     def feasible(self) -> Mask:
         """Where every e_i > 0, so that every B_i lies on its own side of C (m,)."""
-        feasible: Mask = (self.extension > 0.0).all(axis=1)
-        return feasible
+        return np.asarray((self.extension > 0.0).all(axis=1))
 
     def reflected(self) -> AssemblyModes:
         """The other solution of each pair: the same B_i, n_i and e_i with the other sign."""
@@ -168,8 +167,7 @@ class AssemblyModesBatch:
     @property
     def feasible(self) -> Mask:
         """Where every e_i > 0 (M,)."""
-        feasible: Mask = (self.extension > 0.0).all(axis=1)
-        return feasible
+        return np.asarray((self.extension > 0.0).all(axis=1))
 
     def __getitem__(self, row: int) -> AssemblyModes:
         index = range(len(self))[row]

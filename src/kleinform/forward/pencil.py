@@ -67,7 +67,7 @@ def pairs_of(rows: Rows, base: Integers, start: int = 0) -> Pairs:
         arms = np.stack(
             [_arms(table, half) for table, half in ((tables.first, t), (tables.second, s))], axis=2
         )
-        extension = np.sqrt(np.einsum("npix,npix->npi", arms, arms))
+        extension = np.sqrt(np.einsum("npix,npix->npi", arms, arms)).astype(np.complex128)
         # The sign that makes n_1·n_2 = −1/2.
         facing = np.einsum("npx,npx->np", arms[:, :, 0], arms[:, :, 1]) / extension.prod(axis=2)
         extension[:, :, 1] *= np.where(facing.real < 0.0, 1.0, -1.0)
@@ -78,7 +78,7 @@ def pairs_of(rows: Rows, base: Integers, start: int = 0) -> Pairs:
 
 
 def _scaled(table: Array) -> Array:
-    return table / abs(table).max(axis=(1, 2), keepdims=True)
+    return np.asarray(table / np.max(abs(table), axis=(1, 2), keepdims=True))
 
 
 def _eigenpairs(angle: Array, cone: Array) -> tuple[Complex, Complex]:
@@ -104,7 +104,7 @@ def _eigenpairs(angle: Array, cone: Array) -> tuple[Complex, Complex]:
 def _solved(matrix: Array, side: Array) -> Array:
     """Solutions of many linear systems; zero where the matrix is singular."""
     try:
-        return np.linalg.solve(matrix, side)
+        return np.asarray(np.linalg.solve(matrix, side), dtype=np.float64)
     except np.linalg.LinAlgError:
         if len(matrix) == 1:
             return np.zeros_like(side)
@@ -140,4 +140,5 @@ def _newton(tables: Array, t: Complex, s: Complex) -> tuple[Complex, Complex, Ar
 def _arms(table: Array, half: Complex) -> Complex:
     """From C to B at half-angle tangents (N, 32)."""
     powers = half[..., np.newaxis] ** np.arange(3)
-    return np.einsum("npk,nkx->npx", powers, table) / (1.0 + half**2)[..., np.newaxis]
+    arms: Complex = np.einsum("npk,nkx->npx", powers, table) / (1.0 + half**2)[..., np.newaxis]
+    return arms

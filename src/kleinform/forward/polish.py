@@ -14,7 +14,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.circle import Circles, Rows, turned
+from kleinform.forward.circle import Circles, Rows, Vectors, turned
 from kleinform.generated import kernels
 
 __all__ = [
@@ -104,7 +104,7 @@ def relabelled_back(directions: Array, base: Integers) -> Array:
     return unlabelled(turned(directions, base, back=True), base)
 
 
-def unlabelled(directions: Array, base: Integers) -> Array:
+def unlabelled(directions: Vectors, base: Integers) -> Vectors:
     """n_1, n_2 from the directions of the base limb and the one after it."""
     own, following = directions[:, 0], directions[:, 1]
     ordered = np.stack([own, following, -own - following], axis=1)
@@ -120,7 +120,7 @@ def polished(
     for _ in range(STEPS):
         step = kernels.newton_step(radius, position, lengths, directions)
         directions = step.next
-        size = abs(step.turn).max(axis=1, initial=0.0)
+        size: Array = np.max(abs(step.turn), axis=1, initial=0.0)
         if (size <= SETTLED).all():
             break
     return directions, size <= allowed
@@ -170,16 +170,15 @@ def _left(gradient: Array) -> Array:
 
 def _solved(matrix: Array, side: Array) -> Array:
     """Solutions of small systems, NaN where one is singular."""
-    good = np.isfinite(matrix).all((1, 2)) & np.isfinite(side).all(1)
-    scale = np.where(good, abs(matrix).max((1, 2), initial=0.0), 1.0)
-    good &= abs(np.linalg.det(np.where(good[:, None, None], matrix, 0.0))) > 0.0 * scale
+    good = np.asarray(np.isfinite(matrix).all((1, 2)) & np.isfinite(side).all(1))
+    good[good] = np.linalg.det(matrix[good]) != 0.0
     result = np.full(side.shape, np.nan)
     result[good] = np.linalg.solve(matrix[good], side[good][..., np.newaxis])[..., 0]
     return result
 
 
 def _judged(local: kernels.Fold, directions: Array, step: Array, tolerance: float) -> Folds:
-    finite = np.isfinite(local.gradient).all((1, 2)) & np.isfinite(step).all(1)
+    finite = np.asarray(np.isfinite(local.gradient).all((1, 2)) & np.isfinite(step).all(1))
     left, singular, right = np.linalg.svd(
         np.where(finite[:, np.newaxis, np.newaxis], local.gradient, 0.0)
     )
@@ -222,4 +221,5 @@ def turn_by(directions: Array, turn: Array) -> Array:
     half = 0.5 * turn[:, np.newaxis]
     inner = directions + np.cross(half, directions)
     factor = 2.0 / (1.0 + np.einsum("kij,kij->ki", half, half))
-    return directions + factor[:, :, np.newaxis] * np.cross(half, inner)
+    moved: Array = directions + factor[:, :, np.newaxis] * np.cross(half, inner)
+    return moved

@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from kleinform.forward.cases import in_plane, on_circle, zero_leg
 from kleinform.forward.circle import COSINE, SINE, Rows
 from kleinform.forward.clusters import by_pencil
+from kleinform.forward.eliminant import by_eliminant
+from kleinform.forward.found import Found, found, some, together
 from kleinform.forward.in_plane import by_circles
-from kleinform.forward.solver import Found, by_eliminant, found, together
 from kleinform.forward.zero_legs import by_zero_leg
 from kleinform.generated import kernels
 
@@ -63,7 +64,9 @@ def completed(rows: Rows, modes: Found) -> Solved:
 
 
 def _size(rows: Rows) -> Array:
-    return np.maximum(rows.radius, np.maximum(abs(rows.position).max(1), rows.lengths.max(1)))
+    position = np.max(abs(rows.position), axis=1)
+    size: Array = np.maximum(rows.radius, np.maximum(position, np.max(rows.lengths, axis=1)))
+    return size
 
 
 def _scaled(rows: Rows, scale: Array) -> Rows:
@@ -88,13 +91,13 @@ def _block(rows: Rows, tolerance: float) -> tuple[Found, Integers]:
     parts = []
     for number in np.flatnonzero(pointlike):
         limb = int(np.argmax(zero[number]))
-        directions = by_zero_leg(rows[[number]], limb, tolerance)
+        directions = by_zero_leg(rows[[int(number)]], limb, tolerance)
         parts.append(found(np.full(len(directions), number), directions, 2))
     for mask, way in ((ordinary, by_eliminant), (ordinary & ~flat, by_pencil), (flat, by_circles)):
         chosen = np.flatnonzero(mask & (status == UNDECIDED))
         if len(chosen):
             modes, solved = way(rows[chosen], tolerance)
-            kept = Found(*(entry[solved[modes.row]] for entry in modes))
+            kept = some(modes, solved[modes.row])
             parts.append(kept._replace(row=chosen[kept.row]))
             status[chosen[solved]] = REGULAR
     return together(parts), status
@@ -154,7 +157,7 @@ def _needs_reflection(extension: Array) -> Mask:
     signs = np.sign(extension).astype(np.int64)
     balance = signs.sum(axis=1)
     first = signs[np.arange(len(signs)), np.argmax(signs != 0, axis=1)]
-    return (balance < 0) | ((balance == 0) & (first < 0))
+    return np.asarray((balance < 0) | ((balance == 0) & (first < 0)))
 
 
 def _sorted(solved: Solved) -> Solved:
@@ -162,7 +165,7 @@ def _sorted(solved: Solved) -> Solved:
     feasible = (solved.extension > 0.0).all(axis=1)
     keys = [-_leg_angle(solved, limb) for limb in (1, 0)]
     order = np.lexsort((*keys, ~feasible, solved.row))
-    return Solved(*(entry[order] for entry in solved[:-1]), solved.status)
+    return Solved._make([*(entry[order] for entry in solved[:-1]), solved.status])
 
 
 def _leg_angle(solved: Solved, limb: int) -> Array:

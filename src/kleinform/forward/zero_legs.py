@@ -64,7 +64,7 @@ def _known(radius: Array, position: Array, lengths: Array, frame: Array) -> Arra
         if lengths[0, limb] == 0.0
     ]
     arms = np.array(known).reshape(-1, 3) * radius - position
-    phi = np.arctan2(arms @ frame[2], arms @ frame[1])
+    phi: Array = np.arctan2(arms @ frame[2], arms @ frame[1])
     return _turned(frame, np.concatenate([phi, phi + np.pi]))
 
 
@@ -75,7 +75,7 @@ def _turned(frame: Array, phi: Array) -> Array:
 
 def _starts(radius: Array, position: Array, lengths: Array, frame: Array) -> Array:
     """Turns at which one of the two equations has a zero."""
-    phi = 2.0 * np.pi / SAMPLES * np.arange(SAMPLES)
+    phi: Array = 2.0 * np.pi / SAMPLES * np.arange(SAMPLES, dtype=np.float64)
     residual = kernels.closure(radius, position, lengths, _turned(frame, phi)).residual
     spectrum = np.fft.fft(residual[:, 1:3], axis=0)[[2, 1, 0, -1, -2]]
     starts = []

@@ -2,16 +2,15 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
-
 import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.forward.circle import Circles, Rows, circles_of, fourier
+from kleinform.forward.found import Found, found, nothing, some, together
 from kleinform.forward.isolate import Zeros, isolate
 from kleinform.forward.polish import folds, on_leg, relabelled_back, split, starts
 
-__all__ = ["Found", "by_eliminant", "nothing", "together"]
+__all__ = ["by_eliminant"]
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -30,35 +29,6 @@ FARTHEST = 0.05
 MOST_CLUSTERS = 6
 
 
-class Found(NamedTuple):
-    """Modes as they are found.
-
-    The row of each, n_1 and n_2 (K, 2, 3), how many solutions have merged in it, and the e_i
-    (K, 3) where they do not follow from n_i, NaN where they do.
-    """
-
-    row: Integers
-    directions: Array
-    multiplicity: Integers
-    extension: Array
-
-
-def found(row: Integers, directions: Array, multiplicity: Integers | int) -> Found:
-    """Modes whose e_i follow from their directions."""
-    number = np.broadcast_to(np.asarray(multiplicity, dtype=np.int64), row.shape)
-    return Found(row, directions.reshape(-1, 2, 3), number, np.full((len(row), 3), np.nan))
-
-
-def nothing() -> Found:
-    """No mode."""
-    return found(np.empty(0, dtype=np.int64), np.empty((0, 2, 3)), 1)
-
-
-def together(parts: list[Found]) -> Found:
-    """The modes of all parts."""
-    return Found(*map(np.concatenate, zip(nothing(), *parts, strict=True)))
-
-
 def by_eliminant(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
     """Modes of rows, and the rows for which all were found and every check held."""
     solved = np.zeros(len(rows), dtype=bool)
@@ -68,7 +38,7 @@ def by_eliminant(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
         if not len(left):
             break
         attempt, good = _attempt(rows[left], rank, tolerance)
-        kept = Found(*(entry[good[attempt.row]] for entry in attempt))
+        kept = some(attempt, good[attempt.row])
         parts.append(kept._replace(row=left[kept.row]))
         solved[left[good]] = True
     return together(parts), solved
@@ -84,10 +54,10 @@ def _attempt(rows: Rows, rank: int, tolerance: float) -> tuple[Found, Mask]:
     zeros = isolate(coefficients, np.where(good, ROUNDING * rest, 0.0) + LEAST_ROUNDING)
     clusters = np.bincount(zeros.row[~zeros.simple], minlength=len(rows))
     good &= clusters <= MOST_CLUSTERS
-    zeros = Zeros(*(entry[good[zeros.row]] for entry in zeros))
+    zeros = Zeros._make(entry[good[zeros.row]] for entry in zeros)
     angle, directions = starts(rows, circles, zeros.row, zeros.guess)
     simple, cluster = zeros.simple, ~zeros.simple
-    cells = Zeros(*(entry[simple] for entry in zeros))
+    cells = Zeros._make(entry[simple] for entry in zeros)
     alone, held = _simple(rows, circles, cells, angle[simple], directions[simple])
     good[alone.row[~held]] = False
     row = zeros.row[cluster]
@@ -135,7 +105,7 @@ def _clusters(
 def _consistent(modes: Found, count: int) -> Mask:
     """Rows with an even number of modes, no two of them the same."""
     number = np.bincount(modes.row, weights=modes.multiplicity, minlength=count)
-    good = number % 2 == 0
+    good: Mask = number % 2 == 0
     # Each mode once, whichever of the pair ±n it is: sorted by what both have in common.
     shape = modes.directions[:, 0] * np.sign(modes.directions[:, :1, 2])
     order = np.lexsort((shape[:, 0], modes.row))
