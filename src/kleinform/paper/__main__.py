@@ -14,10 +14,10 @@ def show(parts: dict[str, list[Row]]) -> None:
     """Print every row, and how many are confirmed."""
     for title, rows in parts.items():
         print(f"\n{title}")
-        print(f"  {'item':34}{'printed':28}{'computed':>12}{'difference':>12}  verdict")
+        print(f"  {'item':36}{'printed':28}{'computed':>12}{'difference':>12}  verdict")
         for row in rows:
             numbers = f"{row.printed:28}{row.computed:>12}{row.difference:12.1e}"
-            print(f"  {row.item:34}{numbers}  {row.verdict}")
+            print(f"  {row.item:36}{numbers}  {row.verdict}")
     rows = [row for part in parts.values() for row in part]
     confirmed = sum(row.confirmed for row in rows)
     print(f"\n{len(rows)} rows: {confirmed} confirmed, {len(rows) - confirmed} corrected or missed")

@@ -8,11 +8,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform import UncoupledManipulator, rotation_from_rpy, rpy_from_rotation
+from kleinform import AssemblyModes, UncoupledManipulator, rotation_from_rpy, rpy_from_rotation
 from kleinform.generated import kernels
+from kleinform.homotopy import quadratics, solve
 from kleinform.paper import printed
 from kleinform.paper.examples import example_1, example_2, quintic_coefficients
-from kleinform.tracking import newton
 
 __all__ = [
     "Row",
@@ -41,6 +41,13 @@ class Row:
     @property
     def confirmed(self) -> bool:
         return self.verdict.startswith("confirmed")
+
+
+def count(item: str, text: str, computed: int) -> Row:
+    """A printed number of things against the number that was found."""
+    difference = computed - int(text)
+    verdict = f"corrected: {computed}" if difference else "confirmed"
+    return Row(item, text, str(computed), difference, verdict)
 
 
 def compare(item: str, text: str, computed: float) -> Row:
@@ -117,9 +124,10 @@ def geometry_rows() -> Iterator[Row]:
 
 
 def closure_rows() -> Iterator[Row]:
-    """Table 1: each row put back into the closure equations, then solved to full digits."""
+    """Table 1: each row put back into the closure equations, then beside all assembly modes."""
     joints = start_joints()
-    position = np.array(printed.POSITION)
+    modes = ROBOT.forward_displacement(joints)
+    yield count("real solutions, one of each pair", str(len(printed.TABLE_1)), len(modes))
     for number, row in enumerate(printed.TABLE_1, start=1):
         points = np.array(row, dtype=np.float64)
         name = f"Table 1, row {number}"
@@ -127,25 +135,27 @@ def closure_rows() -> Iterator[Row]:
         residual = float(abs(squares - printed.RADIUS**2 - joints[:3] ** 2).max())
         # Six printed digits, truncated: each square is off by up to 2e-6 times its root.
         yield bound(f"{name}: closure (6)", "b_i·b_i = a² + q_i²", residual, 5e-6)
-        solved = nearest_mode(joints, position, points)
         for limb in range(3):
             for axis in range(3):
                 item = f"{name}: {'XYZ'[axis]} of B_{limb + 1}"
-                yield compare(item, row[limb][axis], float(solved[limb, axis]))
+                computed = float(modes.platform_joints[number - 1, limb, axis])
+                yield compare(item, row[limb][axis], computed)
+    yield from _homotopy_rows(modes)
 
 
-def nearest_mode(joints: Array, position: Array, points: Array) -> Array:
-    """The B_i of the solution that Newton's method finds from printed B_i."""
-    guess = points[:2] - position
-    guess /= np.linalg.norm(guess, axis=1, keepdims=True)
-    # The signs of e_1, e_2 make n_1·n_2 negative; the pair (n, −n) is one solution.
-    if guess[0] @ guess[1] > 0.0:
-        guess[1] = -guess[1]
-    directions = newton(printed.RADIUS, joints, guess)
-    if directions is None:
-        return np.full((3, 3), np.nan)
-    rotation = kernels.rotation_from_directions(*directions).rotation
-    return kernels.inverse_displacement(printed.RADIUS, position, rotation).platform_joints
+def _homotopy_rows(modes: AssemblyModes) -> Iterator[Row]:
+    """The same by the paper's own method: continuation of all paths of the six quadratics."""
+    cones = np.stack(kernels.cones(printed.RADIUS, modes.position, modes.joints[:3]))
+    ends = solve(quadratics(cones.astype(np.complex128)), (2,) * 6, seed=0)
+    regular = ends.status == "regular"
+    x = ends.points[regular]
+    pairs = x[:, 1:] / x[:, :1]
+    real = pairs[abs(pairs.imag).max(axis=1) <= 1e-9].real.reshape(-1, 1, 2, 3)
+    yield count("homotopy: regular ends of its paths", "64", int(regular.sum()))
+    yield count("homotopy: real ends, in pairs ±n", "8", len(real))
+    both = np.concatenate([modes.directions[:, :2], -modes.directions[:, :2]])
+    apart = abs(real - both).max(axis=(2, 3)).min(axis=1)
+    yield bound("homotopy: real ends", "the modes above", float(apart.max(initial=0.0)), 1e-12)
 
 
 def table_2_rows() -> Iterator[Row]:
