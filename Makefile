@@ -4,7 +4,7 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 
-.PHONY: help derive check-generated latex paper test lint bench clean
+.PHONY: help derive check-generated latex paper test lint bench census clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-16s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -37,6 +37,9 @@ lint: $(READY) ## ruff and mypy
 
 bench: $(READY) ## measure against peers, side by side
 	@$(BIN)/python -m benchmarks
+
+census: $(READY) ## how many assembly modes joint values have, and docs/census.svg
+	@$(BIN)/python -m benchmarks.census docs/census.svg
 
 clean: ## remove everything that make created, but for generated/
 	rm -rf $(VENV) build dist .pytest_cache .ruff_cache .mypy_cache .hypothesis

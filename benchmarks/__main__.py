@@ -12,6 +12,7 @@ from collections.abc import Callable
 import numpy as np
 
 import kleinform
+from benchmarks import modes
 from benchmarks.peers import lambdified
 from benchmarks.timing import medians
 from kleinform_kernels import uncoupled
@@ -85,4 +86,5 @@ def import_time(rounds: int = 15) -> None:
 if __name__ == "__main__":
     print(f"Python {platform.python_version()}, NumPy {np.__version__}, {platform.machine()}")
     throughput()
+    modes.table()
     import_time()

@@ -1,0 +1,79 @@
+"""``make census``: how many assembly modes joint values have, as a table and a picture."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import numpy as np
+
+import kleinform
+from benchmarks.joint_values import DISTRIBUTIONS, joint_values
+
+ROWS = 100_000
+#: The most modes that a search found: random joint values, then random steps from the best.
+MOST = (2.458, 2.502, 2.2, 0.176, -1.57, 1.186)
+ROBOT = kleinform.UncoupledManipulator(radius=1.0)
+
+
+def counts(distribution: str, rows: int) -> tuple[np.ndarray, np.ndarray]:
+    """Shares of joint values by their number of modes, and of feasible modes."""
+    modes = ROBOT.forward_displacement_batch(joint_values(distribution, rows, seed=6))
+    row = np.repeat(np.arange(rows), modes.count)
+    feasible = np.bincount(row[modes.feasible], minlength=rows)
+    undecided = int((modes.status_codes == modes.STATUS.index("undecided")).sum())
+    if undecided:
+        print(f"{distribution}: {undecided} of {rows} rows undecided, counted as 0 modes")
+    shares = [np.bincount(number, minlength=33) / rows for number in (modes.count, feasible)]
+    return shares[0], shares[1]
+
+
+def table(rows: int) -> dict[str, tuple[np.ndarray, np.ndarray]]:
+    """Print the census, and return it."""
+    found = {}
+    for name, words in DISTRIBUTIONS.items():
+        found[name] = counts(name, rows)
+        for title, shares in zip(("modes", "feasible"), found[name], strict=True):
+            listed = ", ".join(
+                f"{number}: {share:.2%}" for number, share in enumerate(shares) if share
+            )
+            print(f"{name:9} {title:9} {listed}")
+        print(f"{'':9} {words}; {rows} rows")
+    return found
+
+
+def picture(found: dict[str, tuple[np.ndarray, np.ndarray]], path: Path) -> None:
+    """Bars of both numbers for every distribution, as SVG."""
+    import matplotlib as mpl
+
+    mpl.use("svg")
+    import matplotlib.pyplot as plt
+
+    plt.rcParams.update({"svg.hashsalt": "kleinform", "font.size": 9})
+    figure, axes = plt.subplots(len(found), 1, figsize=(7, 6.5), sharex=True, layout="constrained")
+    for axis, (name, (modes, feasible)) in zip(axes, found.items(), strict=True):
+        number = np.arange(22)
+        axis.bar(number - 0.2, 100 * modes[:22], 0.4, label="real modes")
+        axis.bar(number + 0.2, 100 * feasible[:22], 0.4, label="feasible modes")
+        axis.set_ylabel("joint values [%]")
+        axis.set_title(f"{name}: {DISTRIBUTIONS[name]}", fontsize=9)
+    axes[0].legend()
+    axes[-1].set_xlabel("number of modes, one of each pair ±n")
+    axes[-1].set_xticks(np.arange(0, 22, 2))
+    figure.savefig(path, metadata={"Date": None})
+
+
+def most() -> None:
+    """The joint values with the most modes that are known, and their certificate."""
+    modes = ROBOT.forward_displacement(MOST, certify=True)
+    print(f"most modes found: {len(modes)}, {int(modes.feasible.sum())} feasible, at q = {MOST}")
+    assert modes.certificate is not None
+    print(modes.certificate.reason)
+
+
+if __name__ == "__main__":
+    census = table(ROWS)
+    most()
+    if len(sys.argv) > 1:
+        picture(census, Path(sys.argv[1]))
+        print(f"written to {sys.argv[1]}")
