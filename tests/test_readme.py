@@ -41,6 +41,15 @@ def test_the_error_is_the_one_that_readme_shows(example) -> None:
     assert comment == f"# kleinform.errors.SingularPoseError: {caught.value}"
 
 
+def test_the_page_on_assembly_modes_prints_what_it_shows() -> None:
+    page = Path(__file__).parents[1] / "docs" / "assembly-modes.md"
+    blocks = re.findall(r"```(\w*)\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+    printed = io.StringIO()
+    with contextlib.redirect_stdout(printed):
+        exec(blocks[0][1], {})
+    assert printed.getvalue() == blocks[1][1]
+
+
 def test_every_target_that_readme_names_exists() -> None:
     makefile = (Path(__file__).parents[1] / "Makefile").read_text(encoding="utf-8")
     for target in set(re.findall(r"make ([a-z-]+)", README)) - {"are"}:

@@ -14,17 +14,43 @@ from derivations.uncoupled.geometry import LIMBS, a, base_k, c, constants
 
 first, second, third = (vector(f"n{i}") for i in LIMBS)
 LENGTHS = tuple(scalar(f"q{i}") for i in LIMBS)
+#: The forms of a limb: the squares of the first two less that of the third are its cone.
+FORMS = ("ht", "hz", "hp")
+
+
+def forms(i: int | str) -> list[Equation]:
+    """Vectors of limb i: gt_i, gz_i and p_i q_i are their scalar products with n_i."""
+    u, t, h = vector(f"u{i}"), vector(f"t{i}"), scalar(f"h{i}")
+    return [
+        Equation(h, a - Dot(c, u), "distance of C from the plane of the limb", "(4)", "m"),
+        Equation(
+            vector(f"ht{i}"),
+            Dot(c, t) * u + h * t,
+            "p_i times the horizontal part of the leg, as a form in n_i",
+            unit="m",
+        ),
+        Equation(
+            vector(f"hz{i}"),
+            Dot(c, base_k) * u + h * base_k,
+            "p_i times the vertical part of the leg, as a form in n_i",
+            unit="m",
+        ),
+        Equation(
+            vector(f"hp{i}"),
+            scalar(f"q{i}") * u,
+            "p_i times the length of the leg, as a form in n_i",
+            unit="m",
+        ),
+    ]
 
 
 def cone(i: int | str) -> list[Equation]:
     """(6) times p_i squared, and its gradient in n_i."""
-    n, u, t = vector(f"n{i}"), vector(f"u{i}"), vector(f"t{i}")
-    h, p, q, gt, gz = (scalar(f"{name}{i}") for name in ("h", "p", "q", "gt", "gz"))
-    horizontal = Dot(c, t) * u + h * t
-    vertical = Dot(c, base_k) * u + h * base_k
+    n, horizontal, vertical, along = (vector(f"{name}{i}") for name in ("n", "ht", "hz", "hp"))
+    p, q, gt, gz = (scalar(f"{name}{i}") for name in ("p", "q", "gt", "gz"))
     return [
-        Equation(h, a - Dot(c, u), "distance of C from the plane of the limb", "(4)", "m"),
-        Equation(p, Dot(n, u), "cosine of the angle between n_i and u_i", "(4)"),
+        *forms(i),
+        Equation(p, Dot(n, vector(f"u{i}")), "cosine of the angle between n_i and u_i", "(4)"),
         Equation(gt, Dot(horizontal, n), "p_i times the horizontal part of the leg", unit="m"),
         Equation(gz, Dot(vertical, n), "p_i times the vertical part of the leg", unit="m"),
         Equation(
@@ -36,12 +62,24 @@ def cone(i: int | str) -> list[Equation]:
         ),
         Equation(
             vector(f"dF{i}"),
-            2 * gt * horizontal + 2 * gz * vertical - 2 * p * q**2 * u,
+            2 * gt * horizontal + 2 * gz * vertical - 2 * p * q * along,
             "gradient of F_i in n_i",
             "(6)",
             "m²",
         ),
     ]
+
+
+def form_matrix(i: int | str) -> Equation:
+    """The symmetric matrix M_i of the cone."""
+    horizontal, vertical, along = (vector(f"{name}{i}") for name in FORMS)
+    return Equation(
+        matrix(f"M{i}", 3, 3),
+        horizontal * horizontal.T + vertical * vertical.T - along * along.T,
+        "matrix of the cone, which is F_i = n_i · M_i n_i",
+        "(6)",
+        "m²",
+    )
 
 
 def unit_conditions() -> list[Equation]:
@@ -84,4 +122,13 @@ def closure_graph() -> Graph:
         graph.add(cone(i))
     graph.add(unit_conditions())
     graph.add(system())
+    return graph
+
+
+def cones_graph() -> Graph:
+    """From joint values to the matrices M_i of the cones."""
+    graph = Graph((a, c, *LENGTHS))
+    graph.add(constants())
+    for i in LIMBS:
+        graph.add([*forms(i), form_matrix(i)])
     return graph

@@ -6,40 +6,34 @@ A turn omega of the platform moves n_i by omega × n_i, so that F_i grows by G_i
 
 from __future__ import annotations
 
-from sympy import Basic, ImmutableDenseMatrix, Rational, cos, sin
+from sympy import ImmutableDenseMatrix, ZeroMatrix, cos, sin
 
 from derivations.algebra.equations import Equation, Graph
 from derivations.algebra.vectors import Cross, Dot, Rows, matrix, scalar, vector
-from derivations.uncoupled.closure import LENGTHS, cone, first, second, third
+from derivations.uncoupled.closure import FORMS, LENGTHS, cone, first, second, third
 from derivations.uncoupled.displacement import central_forward, q4, q5, q6
-from derivations.uncoupled.geometry import LIMBS, a, base_i, base_j, base_k, c, constants
+from derivations.uncoupled.geometry import HALF, LIMBS, a, base_i, base_j, base_k, c, constants
 
 turn, half = vector("turn"), vector("half_turn")
 volume = scalar("volume")
-AXES = (base_i, base_j, base_k)
+
+
+def turned(i: int | str) -> Equation:
+    """G_i."""
+    return Equation(
+        vector(f"G{i}"),
+        Cross(vector(f"n{i}"), vector(f"dF{i}")),
+        "derivative of F_i by a turn of the platform",
+        "(6)",
+        "m²",
+    )
 
 
 def gradients() -> list[Equation]:
     """G_i, and their triple product."""
-    rows = [vector(f"G{i}") for i in LIMBS]
-    return [
-        *(
-            Equation(
-                vector(f"G{i}"),
-                Cross(vector(f"n{i}"), vector(f"dF{i}")),
-                f"derivative of F_{i} by a turn of the platform",
-                "(6)",
-                "m²",
-            )
-            for i in LIMBS
-        ),
-        Equation(
-            volume,
-            Dot(rows[0], Cross(rows[1], rows[2])),
-            "triple product of the G_i: zero where modes meet",
-            unit="m⁶",
-        ),
-    ]
+    g1, g2, g3 = (vector(f"G{i}") for i in LIMBS)
+    words = "triple product of the derivatives: zero where modes meet"
+    return [*map(turned, LIMBS), Equation(volume, Dot(g1, Cross(g2, g3)), words, unit="m⁶")]
 
 
 def residuals() -> list[Equation]:
@@ -75,110 +69,98 @@ def newton() -> list[Equation]:
         Equation(
             turn,
             (-1 / volume) * (f1 * Cross(g2, g3) + f2 * Cross(g3, g1) + f3 * Cross(g1, g2)),
-            "Newton's turn: G_i·turn = −F_i",
+            "Newton's turn, which cancels every F_i",
             unit="rad",
         ),
-        Equation(half, Rational(1, 2) * turn, "half of it"),
+        Equation(half, HALF * turn, "half of the turn"),
         Equation(scale, 2 / (1 + Dot(half, half)), "factor of Cayley's rotation"),
         Equation(vector("next1"), moved[0], "n_1 turned"),
         Equation(vector("next2"), moved[1], "n_2 turned"),
     ]
 
 
-def curvature(i: int) -> list[Equation]:
-    """How G_i changes by a turn about each base axis."""
-    n, u, t = vector(f"n{i}"), vector(f"u{i}"), vector(f"t{i}")
-    q = LENGTHS[i - 1]
-    horizontal = Dot(c, t) * u + scalar(f"h{i}") * t
-    vertical = Dot(c, base_k) * u + scalar(f"h{i}") * base_k
-    equations = []
-    for axis, base in zip("xyz", AXES, strict=True):
-        slide, bend = vector(f"dn{i}{axis}"), vector(f"ddF{i}{axis}")
-        equations += [
-            Equation(slide, Cross(base, n), f"change of n_{i} by a turn about {axis}"),
-            Equation(
-                bend,
-                2 * Dot(horizontal, slide) * horizontal
-                + 2 * Dot(vertical, slide) * vertical
-                - 2 * q**2 * Dot(u, slide) * u,
-                f"change of dF_{i}",
-                unit="m²",
-            ),
-            Equation(
-                vector(f"dG{i}{axis}"),
-                Cross(slide, vector(f"dF{i}")) + Cross(n, bend),
-                f"change of G_{i}",
-                unit="m²",
-            ),
-        ]
-    return equations
+def lever(i: int | str, j: int | str, k: int | str) -> list[Equation]:
+    """How G_j × G_k meets n_i, and the second derivative of F_i along that."""
+    across, slide, bend = (vector(f"{name}{i}") for name in ("across", "slide", "bend"))
+    horizontal, vertical, along = (
+        Dot(form, slide) * form for form in (vector(f"{name}{i}") for name in FORMS)
+    )
+    return [
+        Equation(
+            across,
+            Cross(vector(f"G{j}"), vector(f"G{k}")),
+            "cofactor of the derivative of F_i by a turn",
+            unit="m⁴",
+        ),
+        Equation(slide, Cross(across, vector(f"n{i}")), "change of n_i by a turn", unit="m⁴"),
+        Equation(
+            bend,
+            2 * (horizontal + vertical - along),
+            "change of the gradient of F_i with n_i",
+            unit="m⁶",
+        ),
+    ]
 
 
 def fold() -> list[Equation]:
-    """The derivative of the triple product of the G_i by a turn."""
-    g1, g2, g3 = (vector(f"G{i}") for i in LIMBS)
-    slopes = [
-        Dot(vector(f"dG1{axis}"), Cross(g2, g3))
-        + Dot(vector(f"dG2{axis}"), Cross(g3, g1))
-        + Dot(vector(f"dG3{axis}"), Cross(g1, g2))
-        for axis in "xyz"
-    ]
+    """The derivative of the triple product of the G_i by a turn of the platform."""
+    equations, total = [], ZeroMatrix(3, 1)
+    for i, j, k in ((1, 2, 3), (2, 3, 1), (3, 1, 2)):
+        equations += lever(i, j, k)
+        turned_back = Cross(vector(f"dF{i}"), vector(f"across{i}")) + vector(f"bend{i}")
+        total += Cross(vector(f"n{i}"), turned_back)
+    words = "derivative of the triple product by a turn of the platform"
+    return [*equations, Equation(vector("dvolume"), total, words, unit="m⁶")]
+
+
+def central_slopes() -> list[Equation]:
+    """The derivatives of lambda by the angles of the central limb."""
     return [
         Equation(
-            vector("dvolume"),
-            ImmutableDenseMatrix(slopes),
-            "derivative of the triple product by a turn",
-            unit="m⁶",
-        )
+            vector("dlambda4"),
+            -sin(q4) * cos(q5) * base_i + cos(q4) * cos(q5) * base_j,
+            "derivative of lambda by q4",
+        ),
+        Equation(
+            vector("dlambda5"),
+            -cos(q4) * sin(q5) * base_i - sin(q4) * sin(q5) * base_j + cos(q5) * base_k,
+            "derivative of lambda by q5",
+        ),
     ]
+
+
+def position_slope(i: int | str) -> Equation:
+    """The gradient of F_i by the position of C."""
+    n, u, t = vector(f"n{i}"), vector(f"u{i}"), vector(f"t{i}")
+    p, gt, gz = (scalar(f"{name}{i}") for name in ("p", "gt", "gz"))
+    return Equation(
+        vector(f"cF{i}"),
+        2 * gt * (p * t - Dot(n, t) * u) + 2 * gz * (p * base_k - Dot(n, base_k) * u),
+        "gradient of F_i by the position of C",
+        "(6)",
+        "m",
+    )
 
 
 def by_joints() -> list[Equation]:
     """q_j ∂F_i/∂q_j: what a relative change of each joint value does to each cone."""
     rows = []
-    equations = [
-        Equation(
-            vector("dc5"),
-            -cos(q4) * sin(q5) * base_i - sin(q4) * sin(q5) * base_j + cos(q5) * base_k,
-            "change of lambda by the elevation",
-        ),
-        Equation(
-            vector("dc4"),
-            -sin(q4) * cos(q5) * base_i + cos(q4) * cos(q5) * base_j,
-            "change of lambda by the azimuth",
-        ),
-    ]
     for i in LIMBS:
-        n, u, t = vector(f"n{i}"), vector(f"u{i}"), vector(f"t{i}")
-        p, q, gt, gz = (scalar(f"{name}{i}") for name in ("p", "q", "gt", "gz"))
-        slope = vector(f"cF{i}")
-        equations.append(
-            Equation(
-                slope,
-                2 * gt * (p * t - Dot(n, t) * u) + 2 * gz * (p * base_k - Dot(n, base_k) * u),
-                f"gradient of F_{i} by the position of C",
-                "(6)",
-                "m",
-            )
-        )
-        own = -2 * p**2 * q**2
+        slope, own = vector(f"cF{i}"), -2 * scalar(f"p{i}") ** 2 * scalar(f"q{i}") ** 2
         row = [own if limb == i else 0 for limb in LIMBS]
-        row += [
-            q4 * q6 * Dot(slope, vector("dc4")),
-            q5 * q6 * Dot(slope, vector("dc5")),
-            Dot(slope, c),
-        ]
-        rows.append(row)
-    equations.append(
+        row += [q * q6 * Dot(slope, vector(f"dlambda{j}")) for j, q in ((4, q4), (5, q5))]
+        rows.append([*row, Dot(slope, c)])
+    return [
+        *central_slopes(),
+        *map(position_slope, LIMBS),
         Equation(
             matrix("qF", 3, 6),
             ImmutableDenseMatrix(rows),
-            "derivatives of F by the logarithms of q1 ... q6",
+            "derivatives of F by the logarithms of the joint values",
             "(6)",
             "m²",
-        )
-    )
-    return equations
+        ),
+    ]
 
 
 def add_cones(graph: Graph) -> None:
@@ -204,42 +186,5 @@ def fold_graph() -> Graph:
     graph.add(constants())
     graph.add(central_forward())
     add_cones(graph)
-    for i in LIMBS:
-        graph.add(curvature(i))
     graph.add([*fold(), *by_joints()])
     return graph
-
-
-def cones_graph() -> Graph:
-    """The symmetric matrices M_i of the cones: F_i = n_iᵀ M_i n_i."""
-    graph = Graph((a, c, *LENGTHS))
-    graph.add(constants())
-    for i in LIMBS:
-        u, t, h = vector(f"u{i}"), vector(f"t{i}"), scalar(f"h{i}")
-        horizontal, vertical = vector(f"ht{i}"), vector(f"hz{i}")
-        graph.add(
-            [
-                Equation(h, a - Dot(c, u), "distance of C from the plane of the limb", "(4)", "m"),
-                Equation(horizontal, Dot(c, t) * u + h * t, "gt_i = ht_i · n_i", unit="m"),
-                Equation(vertical, Dot(c, base_k) * u + h * base_k, "gz_i = hz_i · n_i", unit="m"),
-                Equation(
-                    matrix(f"M{i}", 3, 3),
-                    symmetric_form(horizontal, vertical, u, LENGTHS[i - 1]),
-                    f"cone of limb {i}: F_{i} = n_{i}ᵀ M_{i} n_{i}",
-                    "(6)",
-                    "m²",
-                ),
-            ]
-        )
-    return graph
-
-
-def symmetric_form(horizontal: Basic, vertical: Basic, u: Basic, q: Basic) -> ImmutableDenseMatrix:
-    """The matrix of gt² + gz² − p² q² as a quadratic form in n."""
-    return ImmutableDenseMatrix(
-        3,
-        3,
-        lambda i, j: horizontal[i, 0] * horizontal[j, 0]
-        + vertical[i, 0] * vertical[j, 0]
-        - q**2 * u[i, 0] * u[j, 0],
-    )

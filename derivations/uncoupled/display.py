@@ -6,6 +6,7 @@ collect scalars into the array that a kernel returns is not shown.
 
 from __future__ import annotations
 
+import itertools
 import re
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
@@ -15,7 +16,17 @@ from sympy import Basic, Expr, MatrixSymbol, Symbol
 from derivations.algebra.equations import Equation, bindings
 from derivations.algebra.screws import Screw
 from derivations.algebra.vectors import components, scalar
-from derivations.uncoupled import closure, displacement, orientation, rates, relations
+from derivations.uncoupled import (
+    circles,
+    closure,
+    correction,
+    displacement,
+    eliminant,
+    leg_step,
+    orientation,
+    rates,
+    relations,
+)
 from derivations.uncoupled import geometry as topology
 from derivations.uncoupled import singularity as singular
 from derivations.uncoupled import velocity as motion
@@ -24,7 +35,10 @@ from derivations.uncoupled.relations import Relation
 __all__ = ["COLLECTIONS", "SECTIONS", "Displayed", "displayed", "family_name", "known_components"]
 
 #: Arrays of scalars or rows, as kernels return them.
-COLLECTIONS = ("q", "e", "B", "D", "W", "S", *(f"screws{limb}" for limb in range(1, 5)))
+COLLECTIONS = (
+    *("q", "e", "B", "D", "W", "S", *(f"screws{limb}" for limb in range(1, 5))),
+    *("powers", "arms", "pair", "steps"),
+)
 
 SECTIONS = {
     "II": "Topology of the manipulator",
@@ -51,6 +65,14 @@ FILE_NAMES = {
     "gamma": "roll",
     "gap": "rotation_gap",
     "defect": "rotation_defect",
+    "f": "frame_f",
+    "g": "frame_g",
+    "cFi": "grad_c_F_i",
+    "Fti": "F_i_by_theta",
+    "Fpi": "F_i_by_phi",
+    "dtheta": "step_theta",
+    "dphi": "step_phi",
+    "qF": "F_by_joints",
 }
 
 #: What the reader of one formula should know, by the name of its file.
@@ -60,6 +82,10 @@ NOTES = {
     "axis": "η is a horizontal vector at azimuth q4: (c_x, c_y) unless C lies on the Z axis.",
     "condition26": "The paper prints λ_X i + λ_Y j for the axis μ; so printed, (26) is always 0.",
     "det_J_v": "The paper leaves this determinant without a closed form.",
+    "K_i": "The coefficients of a product of two polynomials are a ∗ b, a and b those of both.",
+    "angle": "Row k and column l are at powers k − 1 of t and l − 1 of s; ∗ is as for K_i.",
+    "htx_i": "ε_i is 1 for limb 2 and −1 for limb 3.",
+    "va_i": "Here the angle of leg i is θ_i at t = 0. For B_2, s stands for t.",
     "screw_46": "Its norm √3/2 stays, as in the paper.",
 }
 
@@ -140,6 +166,9 @@ def _displacement() -> Iterator[Entry]:
     yield "R_rpy", _pick(orientation.from_angles_graph(), "R")[0]
     yield from _named(orientation.to_angles_graph())
     yield from _named([*_pick(limb, "qi"), *displacement.central_inverse()])
+    yield from _one_unknown()
+    yield from _two_unknowns()
+    yield from _newton()
 
 
 def _closure() -> Iterator[Entry]:
@@ -148,6 +177,34 @@ def _closure() -> Iterator[Entry]:
         yield f"closure_{_file_name(equation)}", equation
     yield from _named(_pick(cone, "Fi", "dFi"))
     yield from _named([*closure.unit_conditions(), *closure.system()])
+    yield from _named([*_pick(closure.forms("i"), "hti", "hzi", "hpi"), closure.form_matrix("i")])
+
+
+def _one_unknown() -> Iterator[Entry]:
+    yield from _named(eliminant.first_limb())
+    yield from _named(eliminant.quartic("i", scalar("side")))
+    yield from _named([*eliminant.bezoutian(), *eliminant.null_vectors()[:2]])
+    yield "turned_n_2", _pick(eliminant.turn_graph(), "n2")[0]
+
+
+def _two_unknowns() -> Iterator[Entry]:
+    yield from _named(circles.circle("i", circles.HALVES[0]))
+    yield from _named([*circles.own_products("i"), *circles.mixed_products()])
+    yield from _named([*circles.conditions(), circles.arm("i", circles.HALVES[0])])
+
+
+def _newton() -> Iterator[Entry]:
+    rotations = _pick(correction.gradients(), "volume"), _pick(correction.residuals(), "G")
+    yield from _named([correction.turned("i"), *itertools.chain(*rotations)])
+    yield from _named([*correction.newton(), *correction.lever("i", "j", "k")])
+    yield from _named(_pick(correction.fold(), "dvolume"))
+    yield from _named([*correction.central_slopes(), correction.position_slope("i")])
+    yield from _named(_pick(correction.by_joints(), "qF"))
+    yield from _named(_pick(leg_step.leg(), "span", "tangent", "by_angle", "side_part"))
+    yield "leg_n_2", _pick(leg_step.leg(), "n2")[0]
+    yield from _named(_pick(leg_step.slopes("i"), "Fti", "Fpi"))
+    names = ("det_leg", "dtheta", "dphi", "half_step", "next_leg", "next_guess")
+    yield from _named(_pick(leg_step.steps(), *names))
 
 
 def _velocity() -> Iterator[Entry]:

@@ -9,11 +9,12 @@ of which gives the half angle.
 
 from __future__ import annotations
 
-from sympy import Basic, Expr, ImmutableDenseMatrix, sqrt
+from sympy import Expr, ImmutableDenseMatrix, MatrixSymbol, S, prod
 
 from derivations.algebra.equations import Equation, Graph
+from derivations.algebra.polynomials import Convolution
 from derivations.algebra.vectors import Cross, Dot, Norm, Rows, matrix, scalar, vector
-from derivations.uncoupled.closure import LENGTHS
+from derivations.uncoupled.closure import FORMS, LENGTHS, forms
 from derivations.uncoupled.geometry import HALF, ROOT, a, base_k, c, constants, n1
 
 #: Cosine and sine of the angle theta of leg 1, from t_1 towards k.
@@ -24,124 +25,119 @@ reference = vector("reference")
 x, y = scalar("x"), scalar("y")
 f, g, arm = vector("f"), vector("g"), vector("arm")
 frame = Rows(n1, f, g)
-K2, K3, Z = matrix("K2", 5, 1), matrix("K3", 5, 1), matrix("Z", 4, 4)
+#: n_i is −n_1/2 and √3/2 along cos phi f + sin phi g, on this side.
+SIDES = {2: S.One, 3: S.NegativeOne}
+K2, K3 = matrix("K2", 5, 1), matrix("K3", 5, 1)
+W, Z = matrix("brackets", 5, 5), matrix("Z", 4, 4)
 UPPER, LOWER = matrix("upper", 6, 1), matrix("lower", 6, 1)
-eliminant = scalar("eliminant")
+eliminant, bound, powers = scalar("eliminant"), scalar("bound"), matrix("powers", 2, 4)
+#: The pairs of columns of the minors of two rows, in their order.
 PAIRS = ((0, 1), (0, 2), (0, 3), (1, 2), (1, 3), (2, 3))
+
+
+def leg_arm() -> Equation:
+    """The way from C to B_1."""
+    u, t = vector("u1"), vector("t1")
+    return Equation(
+        arm,
+        a * u - c + LENGTHS[0] * (cosine * t + sine * base_k),
+        "from C to B_1, leg 1 at the angle theta",
+        unit="m",
+    )
 
 
 def first_limb() -> list[Equation]:
     """n_1 from the angle of leg 1, and the plane normal to it."""
-    u, t = vector("u1"), vector("t1")
+    across = Cross(reference, n1)
     return [
-        Equation(
-            arm,
-            a * u - c + LENGTHS[0] * (cosine * t + sine * base_k),
-            "from C to B_1, leg 1 at the angle theta",
-            unit="m",
-        ),
+        leg_arm(),
         Equation(n1, arm / Norm(arm), "direction from C to B_1", "(3)"),
-        Equation(
-            f, Cross(reference, n1) / Norm(Cross(reference, n1)), "a unit vector normal to n_1"
-        ),
-        Equation(g, Cross(n1, f), "completes the frame [n_1, f, g]"),
+        Equation(f, across / Norm(across), "a unit vector normal to n_1"),
+        Equation(g, Cross(n1, f), "completes the frame of n_1"),
     ]
 
 
-def forms(i: int | str) -> list[Equation]:
-    """Vectors of limb i: gt_i, gz_i and p_i are their scalar products with n_i."""
-    u, t = vector(f"u{i}"), vector(f"t{i}")
-    return [
-        Equation(scalar(f"h{i}"), a - Dot(c, u), "distance of C from the plane of the limb", "(4)"),
-        Equation(
-            vector(f"ht{i}"),
-            Dot(c, t) * u + scalar(f"h{i}") * t,
-            "gt_i = ht_i · n_i",
-            unit="m",
-        ),
-        Equation(
-            vector(f"hz{i}"),
-            Dot(c, base_k) * u + scalar(f"h{i}") * base_k,
-            "gz_i = hz_i · n_i",
-            unit="m",
-        ),
-        Equation(vector(f"hp{i}"), scalar(f"q{i}") * u, "p_i q_i = hp_i · n_i", unit="m"),
-    ]
-
-
-def quartic(i: int, side: int) -> list[Equation]:
+def quartic(i: int | str, side: Expr) -> list[Equation]:
     """F_i in the half angle of the turn: n_i = −n_1/2 ± √3/2 (cos phi f + sin phi g)."""
     equations = []
-    coefficients = [0] * 5
-    for name, sign in (("ht", 1), ("hz", 1), ("hp", -1)):
-        form, values = vector(f"{name}{i}"), matrix(f"{name}x{i}", 3, 1)
+    for name in FORMS:
+        form = vector(f"{name}{i}")
         along, over = -HALF * Dot(form, n1), side * ROOT * Dot(form, f)
         parts = [along + over, 2 * side * ROOT * Dot(form, g), along - over]
-        words = f"coefficients of {name}_{i} · n_{i} at x², xy, y²"
-        equations.append(Equation(values, ImmutableDenseMatrix(parts), words, unit="m"))
-        for row in range(3):
-            for column in range(3):
-                coefficients[row + column] += sign * values[row, 0] * values[column, 0]
-    equations.append(
+        words = f"form of limb {i} in the half angle of the turn, at x², xy, y²"
+        equations.append(
+            Equation(matrix(f"{name}x{i}", 3, 1), ImmutableDenseMatrix(parts), words, unit="m")
+        )
+    horizontal, vertical, along = (Convolution(each.symbol, each.symbol) for each in equations)
+    return [
+        *equations,
         Equation(
             matrix(f"K{i}", 5, 1),
-            ImmutableDenseMatrix(coefficients),
-            f"coefficients of F_{i} at x⁴, x³y, x²y², xy³, y⁴",
+            horizontal + vertical - along,
+            f"coefficients of (x² + y²)² F_{i} at x⁴, x³y, x²y², xy³, y⁴",
             "(6)",
             "m²",
-        )
-    )
-    return equations
-
-
-def minor(i: int, j: int) -> Basic:
-    """The bracket [i j] of the two quartics."""
-    return K2[i, 0] * K3[j, 0] - K2[j, 0] * K3[i, 0]
+        ),
+    ]
 
 
 def bezoutian() -> list[Equation]:
     """The Bezoutian of the two quartics and its determinant."""
-    entries = [
-        [sum(minor(k, i + j + 1 - k) for k in range(max(0, i + j - 3), min(i, j) + 1)) for j in range(4)]
-        for i in range(4)
-    ]
-    upper = [Z[0, i] * Z[1, j] - Z[0, j] * Z[1, i] for i, j in PAIRS]
-    lower = [Z[2, i] * Z[3, j] - Z[2, j] * Z[3, i] for i, j in PAIRS]
+    entries = [[bracket_sum(i, j) for j in range(4)] for i in range(4)]
     m, n = ([symbol[k, 0] for k in range(6)] for symbol in (UPPER, LOWER))
     determinant = m[0] * n[5] - m[1] * n[4] + m[2] * n[3] + m[3] * n[2] - m[4] * n[1] + m[5] * n[0]
+    rows = [ImmutableDenseMatrix([Z[i, j] for j in range(4)]) for i in range(4)]
     return [
+        Equation(W, K2 * K3.T - K3 * K2.T, "brackets of the two quartics", unit="m⁴"),
         Equation(Z, ImmutableDenseMatrix(entries), "Bezoutian of the two quartics", unit="m⁴"),
-        Equation(UPPER, ImmutableDenseMatrix(upper), "minors of rows 1 and 2 of Z", unit="m⁸"),
-        Equation(LOWER, ImmutableDenseMatrix(lower), "minors of rows 3 and 4 of Z", unit="m⁸"),
-        Equation(eliminant, determinant, "resultant of the two quartics, det Z", unit="m¹⁶"),
+        Equation(UPPER, minors(0, 1), "minors of rows 1 and 2 of the Bezoutian", unit="m⁸"),
+        Equation(LOWER, minors(2, 3), "minors of rows 3 and 4 of the Bezoutian", unit="m⁸"),
         Equation(
-            scalar("bound"),
-            sqrt(product_of([sum(Z[i, j] ** 2 for j in range(4)) for i in range(4)])),
-            "Hadamard's bound on the eliminant: the product of the lengths of the rows of Z",
+            eliminant, determinant, "resultant of the two quartics, the determinant", unit="m¹⁶"
+        ),
+        Equation(
+            bound,
+            prod(map(Norm, rows)),
+            "Hadamard's bound on the eliminant: the product of the lengths of the rows",
             unit="m¹⁶",
         ),
     ]
 
 
-def product_of(factors: list[Expr]) -> Expr:
-    result = factors[0]
-    for factor in factors[1:]:
-        result = result * factor
-    return result
+def bracket_sum(i: int, j: int) -> Expr:
+    """Entry [i, j] of the Bezoutian."""
+    return sum(W[k, i + j + 1 - k] for k in range(max(0, i + j - 3), min(i, j) + 1))
+
+
+def minors(row: int, other: int) -> ImmutableDenseMatrix:
+    """The 2×2 minors of two rows of the Bezoutian."""
+    return ImmutableDenseMatrix(
+        [Z[row, i] * Z[other, j] - Z[row, j] * Z[other, i] for i, j in PAIRS]
+    )
 
 
 def null_vectors() -> list[Equation]:
     """Rows 1 and 4 of the adjugate of Z: where det Z = 0 both are along (x³, x²y, xy², y³)."""
-    symmetric = ImmutableDenseMatrix(4, 4, lambda i, j: Z[min(i, j), max(i, j)])
-    rows = [[symmetric.cofactor(i, j) for j in range(4)] for i in (0, 3)]
+    first, last = matrix("adj1", 4, 1), matrix("adj4", 4, 1)
     return [
-        Equation(
-            matrix("powers", 2, 4),
-            ImmutableDenseMatrix(rows),
-            "rows 1 and 4 of the adjugate of Z",
-            unit="m¹²",
-        )
+        Equation(first, cofactors(1, LOWER, 1), "row 1 of the adjugate", unit="m¹²"),
+        Equation(last, cofactors(2, UPPER, -1), "row 4 of the adjugate", unit="m¹²"),
+        Equation(powers, Rows(first, last), "along x³, x²y, xy², y³ twice", unit="m¹²"),
     ]
+
+
+def cofactors(row: int, minor: MatrixSymbol, sign: int) -> ImmutableDenseMatrix:
+    """The cofactors of the row beside a row and two rows of which the minors are known."""
+    entries = []
+    for left_out in range(4):
+        i, j, k = (column for column in range(4) if column != left_out)
+        value = (
+            Z[row, i] * minor[PAIRS.index((j, k)), 0]
+            - Z[row, j] * minor[PAIRS.index((i, k)), 0]
+            + Z[row, k] * minor[PAIRS.index((i, j)), 0]
+        )
+        entries.append(sign * (-1) ** left_out * value)
+    return ImmutableDenseMatrix(entries)
 
 
 def eliminant_graph() -> Graph:
@@ -149,22 +145,19 @@ def eliminant_graph() -> Graph:
     graph = Graph((a, c, *LENGTHS, cosine, sine, reference))
     graph.add(constants())
     graph.add(first_limb())
-    for i, side in ((2, 1), (3, -1)):
-        graph.add(forms(i))
-        graph.add(quartic(i, side))
-    graph.add(bezoutian())
-    graph.add(null_vectors())
+    for i, side in SIDES.items():
+        graph.add([*forms(i), *quartic(i, side)])
+    graph.add([*bezoutian(), *null_vectors()])
     return graph
 
 
 def turn_graph() -> Graph:
     """n_2 from the frame about n_1 and the half angle (x : y)."""
     graph = Graph((n1, f, g, x, y))
-    square = scalar("xy")
+    square = x**2 + y**2
     turned = ((x**2 - y**2) / square) * f + (2 * x * y / square) * g
     graph.add(
         [
-            Equation(square, x**2 + y**2, "square of the half angle's length"),
             Equation(
                 vector("n2"),
                 -HALF * n1 + ROOT * turned,

@@ -11,6 +11,9 @@ from derivations.codegen.printers.letters import Letter, Notation
 
 __all__ = ["LETTERS", "NOTATION"]
 
+#: The columns of the minors of two rows, in the order of a column of six.
+PAIRS = ("12", "13", "14", "23", "24", "34")
+
 #: ``#`` is the index of a limb. Where the paper has no letter, the comment says what it is.
 LETTERS: dict[str, Letter | str] = {
     # base and platform
@@ -30,6 +33,13 @@ LETTERS: dict[str, Letter | str] = {
     "gamma": r"\gamma",
     "gap": r"\varepsilon",  # n_1 × m_1 − ν
     "defect": Letter(r"\varepsilon", sub="R"),
+    # half angles
+    "half_step": "h",
+    "side": r"\epsilon_{i}",  # 1 for limb 2, −1 for limb 3
+    "x": "x",
+    "y": "y",
+    "t": "t",
+    "s": "s",
     # joint rates come before what they multiply
     "dq#": Letter("q", accent=r"\dot"),
     "dq": Letter("q", accent=r"\dot"),
@@ -54,11 +64,81 @@ LETTERS: dict[str, Letter | str] = {
     "lambda": r"\lambda",
     "r": "r",  # distance of C from the Z axis
     # closure
+    "ht#": Letter("h", sup="t"),  # g^t_i = h^t_i · n_i
+    "hz#": Letter("h", sup="z"),
+    "hp#": Letter("h", sup="p"),  # p_i q_i = h^p_i · n_i
+    "M#": "M",  # F_i = n_i · M_i n_i
     "F#": "F",
     "dF#": Letter("F", before=r"\nabla ", upright=True),
     **{f"dF#_{axis}": rf"\partial F_{{#}}/\partial n_{{#{axis}}}" for axis in AXES},
     "F": "F",
     "dF": Letter("J", sub="F"),
+    # one unknown: the angle of leg 1
+    "cos_theta": r"\cos\theta",
+    "sin_theta": r"\sin\theta",
+    "arm": "r",
+    "reference": "z",
+    "f": "f",
+    "g": "g",
+    **{f"h{form}x#": Letter(r"\xi", sup=form) for form in "tzp"},  # forms at x², xy, y²
+    "K#": "K",
+    "brackets": "W",
+    "Z": "Z",
+    "upper": "U",
+    "lower": "L",
+    **{f"upper_{axis}": f"U_{{{pair}}}" for axis, pair in zip(SCREW_AXES, PAIRS, strict=True)},
+    **{f"lower_{axis}": f"L_{{{pair}}}" for axis, pair in zip(SCREW_AXES, PAIRS, strict=True)},
+    "eliminant": r"\det \mathbf{Z}",
+    "bound": "H",
+    "adj#": r"\alpha",
+    # two unknowns: the angles of legs 1 and 2
+    "cos_start#": r"\cos\theta_{#}",
+    "sin_start#": r"\sin\theta_{#}",
+    "center#": Letter("r", sup="A"),  # a_i − c
+    "near#": Letter("w", sup="0"),
+    "up#": Letter("w", sup=r"\perp"),
+    "arm#": "r",  # b_i − c
+    "va#": Letter("r", sup="1"),  # (1 + t²)(b_i − c) at 1, t, t²
+    "vb#": Letter("r", sup="t"),
+    "vc#": Letter("r", sup="tt"),
+    "V#": "V",
+    **{f"h{form}v#": Letter(r"\zeta", sup=form) for form in "tzp"},  # V_i h_3
+    "N#": "N",
+    "C#": "C",
+    "N12": Letter("N", sub="12"),
+    "C12": Letter("C", sub="12"),
+    "angle": "A",
+    "cone": "B",
+    # Newton's method
+    "G#": "G",
+    "G": "G",
+    "volume": r"\det \mathbf{G}",
+    "turn": r"\psi",
+    "half_turn": r"\chi",
+    "cayley": r"\Gamma",
+    "next#": Letter("n", sup="+"),
+    "across#": Letter("G", sup=r"\times"),
+    "slide#": r"\upsilon",
+    "bend#": r"\beta",
+    "dvolume": Letter(r"\det \mathbf{G}", before=r"\nabla ", upright=True),
+    "dlambda#": r"\lambda",  # ∂λ/∂q_4, ∂λ/∂q_5
+    "cF#": Letter("F", before=r"\nabla_{c} ", upright=True),
+    **{f"cF#_{axis}": rf"\partial F_{{#}}/\partial c_{{{axis}}}" for axis in AXES},
+    "qF": Letter("J", sub=r"\ln q"),
+    "span": r"|e_{1}|",
+    "tangent": Letter("b", sub="1", sup=r"\prime"),
+    "by_angle": Letter(r"\omega", sup=r"\theta"),
+    "side_part": Letter("n", sup=r"\perp"),
+    "guess": Letter("n", sub="2", accent=r"\tilde"),
+    "next_guess": Letter("n", sub="2", sup="+", accent=r"\tilde"),
+    "Ft#": Letter("F", sub=r"\theta"),
+    "Fp#": Letter("F", sub=r"\varphi"),
+    "det_leg": r"\det \mathbf{J}_{\theta\varphi}",
+    "dtheta": r"\delta\theta",
+    "dphi": r"\delta\varphi",
+    "next_leg": Letter("w", sub="1", sup="+"),
+    "next_leg_1": r"\cos\theta^{+}",
+    "next_leg_2": r"\sin\theta^{+}",
     # screws and lines
     "heading_1": Letter(r"\eta", sub="x"),
     "heading_2": Letter(r"\eta", sub="y"),

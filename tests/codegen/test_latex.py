@@ -19,7 +19,16 @@ from derivations.codegen.printers.breaking import lines
 from derivations.codegen.printers.document import Entry, mathml
 from derivations.codegen.printers.latex import VectorLatex, width
 from derivations.codegen.printers.letters import UnknownLetterError
-from derivations.uncoupled import closure, displacement, orientation, rates
+from derivations.uncoupled import (
+    circles,
+    closure,
+    correction,
+    displacement,
+    eliminant,
+    leg_step,
+    orientation,
+    rates,
+)
 from derivations.uncoupled.display import COLLECTIONS, displayed, family_name
 from derivations.uncoupled.notation import NOTATION
 from derivations.uncoupled.rendering import entries, latex_files
@@ -30,6 +39,14 @@ GRAPHS = (
     displacement.central_graph,
     displacement.pose_graph,
     closure.closure_graph,
+    closure.cones_graph,
+    eliminant.eliminant_graph,
+    eliminant.turn_graph,
+    circles.circles_graph,
+    circles.arms_graph,
+    correction.newton_graph,
+    correction.fold_graph,
+    leg_step.leg_graph,
     orientation.directions_graph,
     orientation.defect_graph,
     orientation.from_angles_graph,

@@ -45,6 +45,11 @@ def exact_inputs(kernel: Kernel, pose: int) -> dict[str, Basic]:
     place = ImmutableDenseMatrix(POSITIONS[pose])
     n1, m1 = turn[:, 0], turn[:, 1]
     n2 = -n1 / 2 + sqrt(3) / 2 * m1
+    lengths = [1, Rational(6, 5), Rational(7, 8)]
+    central = [Rational(2, 3), Rational(5, 4), Rational(21, 20)]
+    start = ImmutableDenseMatrix(
+        [[Rational(3, 5), Rational(4, 5)], [Rational(5, 13), -Rational(12, 13)]]
+    )
     known = {
         "a": Rational(3, 4 + pose),
         "c": place,
@@ -52,11 +57,18 @@ def exact_inputs(kernel: Kernel, pose: int) -> dict[str, Basic]:
         "heading": place[:2, :],
         "twist": ImmutableDenseMatrix(2, 3, [Rational(k - 2, 3) for k in range(6)]),
         "rates": ImmutableDenseMatrix([Rational(2 * k - 5, 7) for k in range(6)]),
-        "lengths": ImmutableDenseMatrix([1, Rational(6, 5), Rational(7, 8)]),
+        "lengths": ImmutableDenseMatrix(lengths),
         "directions": ImmutableDenseMatrix.vstack(n1.T, n2.T),
         "n1": n1,
         "n2": n2,
-        "joints": ImmutableDenseMatrix([Rational(2, 3), Rational(5, 4), Rational(21, 20)]),
+        "joints": ImmutableDenseMatrix([*lengths, *central] if kernel.name == "fold" else central),
+        "angle": start[pose, :].T,
+        "start": start,
+        "half_tangents": ImmutableDenseMatrix([Rational(1, 3), Rational(-5, 4)]),
+        "reference": turn[:, 2],
+        "frame": turn.T,
+        "half_angle": ImmutableDenseMatrix([Rational(2, 3), Rational(1, 7)]),
+        "second": n2,
         "roll": Rational(1, 6),
         "pitch": Rational(1, 19) - pose,
         "yaw": Rational(1, 10) + 2 * pose,

@@ -44,6 +44,9 @@ def arguments(name: str, case: Case, rng: np.random.Generator) -> Arguments:
     radius, place, turn = case
     first, second, _ = platform_directions(turn)
     lengths = np.linalg.norm(place) * rng.uniform(0.5, 1.5, size=3)
+    central = [*rng.uniform(-1.5, 1.5, size=2), lengths[0]]
+    legs = rng.uniform(-np.pi, np.pi, size=2)
+    start = np.column_stack([np.cos(legs), np.sin(legs)])
     known = {
         "a": np.float64(radius),
         "c": place,
@@ -55,7 +58,14 @@ def arguments(name: str, case: Case, rng: np.random.Generator) -> Arguments:
         "directions": np.array([first, second]),
         "n1": first,
         "n2": second,
-        "joints": np.array([*rng.uniform(-1.5, 1.5, size=2), lengths[0]]),
+        "joints": np.array([*lengths, *central] if name == "fold" else central),
+        "angle": start[0],
+        "start": start,
+        "half_tangents": rng.normal(size=2),
+        "reference": turn[:, 2],
+        "frame": turn.T,
+        "half_angle": rng.normal(size=2),
+        "second": second,
         "roll": rng.uniform(-3.0, 3.0),
         "pitch": rng.uniform(-1.5, 1.5),
         "yaw": rng.uniform(-3.0, 3.0),

@@ -20,8 +20,9 @@ from flint import arb
 
 
 def sqrt(value: Any) -> Any:
-    """The square root."""
-    return arb(value).sqrt()
+    """The square root; rounding puts a sum of squares next to zero below zero as well."""
+    ball = arb(value)
+    return (ball.nonnegative_part() if ball.contains(0) else ball).sqrt()
 
 
 def cos(value: Any) -> Any:

@@ -18,23 +18,27 @@ INDEXED = re.compile(
     r"([A-Za-zΑ-ω])_([A-Za-z0-9]+?)(?=[A-Z]_|[^A-Za-z0-9]|$)|\b(q)(\d)(?![A-Za-z0-9])"
 )
 #: Greek letters that words spell out.
-SPELLED = {"lambda": "λ", "omega": "ω", "nu": "ν"}
+SPELLED = {"lambda": "λ", "omega": "ω", "nu": "ν", "theta": "θ", "phi": "φ"}
 #: What is set as mathematics: a letter with its index, a sign, a power.
-IN_MATH = re.compile(r"[A-Za-zΑ-ω]_\{\w+\}|√\d/\d|[²³°·×−|$Α-ω]")
+IN_MATH = re.compile(r"[A-Za-zΑ-ω]_\{\w+\}|√\d/\d|[⁰¹²³⁴-⁹]+|[°·×−∗|$Α-ω]")
+POWER = re.compile("[⁰¹²³⁴-⁹]+")
+DIGITS = str.maketrans("⁰¹²³⁴⁵⁶⁷⁸⁹", "0123456789")
 IN_TEX = {
-    "²": "{}^{2}",
-    "³": "{}^{3}",
     "°": r"{}^{\circ}",
     "·": r"\cdot",
     "×": r"\times",
     "−": "-",
+    "∗": r"\ast ",
     "√3": r"\sqrt{3}",
     "λ": r"\lambda ",
     "μ": r"\mu ",
+    "ε": r"\epsilon ",
     "η": r"\eta ",
+    "θ": r"\theta ",
     "ν": r"\nu ",
     "σ": r"\sigma ",
     "τ": r"\tau ",
+    "φ": r"\varphi ",
     "ω": r"\omega ",
     "$": r"\$",
 }
@@ -133,6 +137,7 @@ def _tex_words(words: str) -> str:
 
 
 def _commands(letters: str) -> str:
+    letters = POWER.sub(lambda match: f"{{}}^{{{match[0].translate(DIGITS)}}}", letters)
     for letter, command in IN_TEX.items():
         letters = letters.replace(letter, command)
     return letters

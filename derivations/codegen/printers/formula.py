@@ -22,7 +22,7 @@ LINE = 66
 #: A left side wider than this leaves no room for the right one.
 WIDE_LEFT = 30
 #: How wide a matrix may be before its entries are written one by one.
-MATRIX = 100
+MATRIX = 94
 
 COMPUTED = r"\text{computed as}\quad"
 REST = r"\text{all other entries are zero}"
@@ -96,7 +96,8 @@ def _entries(
     for symbol, entry in zip(left, right, strict=True):
         if column or entry != 0:
             rows += _rows(printer.doprint(symbol), entry, printer)
-    return rows if column else [*rows, ("", REST)]
+    complete = column or all(entry != 0 for entry in right)
+    return rows if complete else [*rows, ("", REST)]
 
 
 def _matrix_width(matrix: ImmutableDenseMatrix, printer: VectorLatex) -> int:

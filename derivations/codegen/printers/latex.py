@@ -85,6 +85,9 @@ class VectorLatex(LatexPrinter):
         text = self._print(vector)
         return text if vector.is_symbol or not vector.args else _parentheses(text)
 
+    def _print_Convolution(self, expr: Basic) -> str:
+        return r" \ast ".join(map(self._argument, expr.args))
+
     def _print_Norm(self, expr: Basic) -> str:
         return rf"\left|{self._print(expr.args[0])}\right|"
 

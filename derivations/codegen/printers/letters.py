@@ -79,6 +79,7 @@ class Notation:
             (re.compile(re.escape(key).replace(r"\#", INDEX)), _letter(letter))
             for key, letter in table.items()
         ]
+        self._resolved: dict[str, tuple[int, Letter, str, str]] = {}
 
     def _find(self, name: str) -> tuple[int, Letter, str] | None:
         for row, (pattern, letter) in enumerate(self._rows):
@@ -88,6 +89,12 @@ class Notation:
         return None
 
     def _resolve(self, name: str) -> tuple[int, Letter, str, str]:
+        """The row of a name, its letter, index and component."""
+        if name not in self._resolved:
+            self._resolved[name] = self._split(name)
+        return self._resolved[name]
+
+    def _split(self, name: str) -> tuple[int, Letter, str, str]:
         found = self._find(name)
         if found:
             return (*found, "")

@@ -5,10 +5,15 @@ from __future__ import annotations
 from derivations.algebra.identities import Identity
 from derivations.uncoupled.identities import (
     chains,
+    circles,
     closure,
+    correction,
     degenerate,
+    degree,
     displacement,
+    eliminant,
     klein,
+    leg_step,
     orientation,
     rates,
     reciprocity,
@@ -21,6 +26,11 @@ __all__ = ["identities"]
 SECTIONS = (
     displacement,
     closure,
+    eliminant,
+    circles,
+    degree,
+    correction,
+    leg_step,
     orientation,
     klein,
     chains,

@@ -2,10 +2,9 @@
 
 from __future__ import annotations
 
-from itertools import combinations
+from sympy import Basic, Expr, cos
 
-from sympy import Basic, Expr, Matrix, cos
-
+from derivations.algebra.determinants import determinant, laplace
 from derivations.algebra.identities import Identity
 from derivations.algebra.screws import Klein
 from derivations.algebra.unfolding import Unfolding, computed_form
@@ -99,23 +98,6 @@ def factors() -> list[Identity]:
     ]
 
 
-def determinant(entries: Matrix) -> Expr:
-    """The determinant, without a division."""
-    return entries.det(method="berkowitz")
-
-
-def by_minors(entries: Matrix) -> Expr:
-    """The determinant of a 6×6 by Laplace's expansion along its first three rows."""
-    total = 0
-    for chosen in combinations(range(6), 3):
-        rest = [column for column in range(6) if column not in chosen]
-        lower = determinant(entries.extract([3, 4, 5], rest))
-        if lower != 0:
-            upper = determinant(entries.extract([0, 1, 2], list(chosen)))
-            total += (-1) ** (sum(chosen) - 3) * upper * lower
-    return total
-
-
 def inverse_blocks() -> Identity:
     """det J_q, off the 6×6 as printed."""
     forms = {
@@ -129,7 +111,7 @@ def inverse_blocks() -> Identity:
     def difference() -> list[Expr]:
         limbs = product(scalar(f"limb{i}") for i in LIMBS)
         condition = unfold(pose()["condition25"].expression)
-        return [by_minors(unfold(pose()["J_q"].expression)) - limbs * condition]
+        return [laplace(unfold(pose()["J_q"].expression)) - limbs * condition]
 
     return Identity(
         "det J_q by blocks",
@@ -148,7 +130,7 @@ def forward_blocks() -> Identity:
     def difference() -> list[Expr]:
         primal = determinant(unfold(Columns(lam, n1, MIDDLE)))
         moments = determinant(unfold(lines).extract([3, 4, 5], [0, 1, 2]))
-        return [by_minors(unfold(pose()["J_v"].expression)) + primal * moments]
+        return [laplace(unfold(pose()["J_v"].expression)) + primal * moments]
 
     return Identity(
         "det J_v by blocks",

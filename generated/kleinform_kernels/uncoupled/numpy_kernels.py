@@ -330,7 +330,7 @@ def closure(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, directions: ArrayLik
     """Residual of the six quadratics in (n_1, n_2), and its Jacobian.
 
     Equations (6) of the paper; base frame.
-    145 operations.
+    159 operations.
 
     Parameters
     ----------
@@ -404,69 +404,78 @@ def _closure(
     x7 = a + x6
     # distance of C from the plane of the limb (4) [m]
     h2 = -x5 + x7
-    x8 = 0.5*n2_x
-    x9 = SQRT3_2*n2_y
+    x8 = 0.25*c_y
+    x9 = SQRT3_2*x6
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
+    ht2_x = -SQRT3_2*h2 + x8 + x9
+    x10 = 0.5*c_y
+    x11 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x10 - x11) - 0.5*h2
+    x12 = -0.5*c_z
+    # p_i times the vertical part of the leg, as a form in n_i [m]
+    hz2_x = x12
+    x13 = SQRT3_2*c_z
+    hz2_y = x13
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp2_x = -0.5*q2
+    hp2_y = SQRT3_2*q2
     # cosine of the angle between n_i and u_i (4) [1]
-    p2 = -x8 + x9
-    x10 = 0.25*c_y
-    x11 = SQRT3_2*x6
-    x12 = -SQRT3_2*h2 + x10 + x11
-    x13 = 0.5*c_y
-    x14 = SQRT3_2*c_x
-    x15 = SQRT3_2*(-x13 - x14) - 0.5*h2
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
     # p_i times the horizontal part of the leg [m]
-    gt2 = n2_x*x12 + n2_y*x15
+    gt2 = ht2_x*n2_x + ht2_y*n2_y
     # p_i times the vertical part of the leg [m]
-    gz2 = -c_z*x8 + c_z*x9 + h2*n2_z
-    x16 = (q2*q2)
+    gz2 = h2*n2_z + hz2_x*n2_x + hz2_y*n2_y
     # closure equation of limb i, times p_i squared (6) [m²]
-    F2 = (gt2*gt2) + (gz2*gz2) - x16*(p2*p2)
-    x17 = c_z*gz2
-    x18 = p2*x16
-    x19 = 2.0*gt2
+    F2 = (gt2*gt2) + (gz2*gz2) - (p2*p2)*(q2*q2)
+    x14 = 2.0*gt2
+    x15 = 2.0*gz2
+    x16 = 2.0*p2*q2
     # gradient of F_i in n_i (6) [m²]
-    dF2_x = x12*x19 - x17 + x18
-    x20 = 2.0*SQRT3_2
-    dF2_y = x15*x19 + x17*x20 - x18*x20
-    dF2_z = 2.0*gz2*h2
+    dF2_x = -hp2_x*x16 + ht2_x*x14 + hz2_x*x15
+    dF2_y = -hp2_y*x16 + ht2_y*x14 + hz2_y*x15
+    dF2_z = h2*x15
     # distance of C from the plane of the limb (4) [m]
     h3 = x5 + x7
-    x21 = 0.5*n3_x
-    x22 = SQRT3_2*n3_y
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
+    ht3_x = SQRT3_2*h3 + x8 - x9
+    ht3_y = -SQRT3_2*(-x10 + x11) - 0.5*h3
+    # p_i times the vertical part of the leg, as a form in n_i [m]
+    hz3_x = x12
+    hz3_y = -x13
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp3_x = -0.5*q3
+    hp3_y = -SQRT3_2*q3
     # cosine of the angle between n_i and u_i (4) [1]
-    p3 = -x21 - x22
-    x23 = SQRT3_2*h3 + x10 - x11
-    x24 = -SQRT3_2*(-x13 + x14) - 0.5*h3
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
     # p_i times the horizontal part of the leg [m]
-    gt3 = n3_x*x23 + n3_y*x24
+    gt3 = ht3_x*n3_x + ht3_y*n3_y
     # p_i times the vertical part of the leg [m]
-    gz3 = -c_z*x21 - c_z*x22 + h3*n3_z
-    x25 = (q3*q3)
+    gz3 = h3*n3_z + hz3_x*n3_x + hz3_y*n3_y
     # closure equation of limb i, times p_i squared (6) [m²]
-    F3 = (gt3*gt3) + (gz3*gz3) - x25*(p3*p3)
-    x26 = c_z*gz3
-    x27 = p3*x25
-    x28 = 2.0*gt3
+    F3 = (gt3*gt3) + (gz3*gz3) - (p3*p3)*(q3*q3)
+    x17 = 2.0*gt3
+    x18 = 2.0*gz3
+    x19 = 2.0*p3*q3
     # gradient of F_i in n_i (6) [m²]
-    dF3_x = x23*x28 - x26 + x27
-    dF3_y = -x20*x26 + x20*x27 + x24*x28
-    dF3_z = 2.0*gz3*h3
+    dF3_x = -hp3_x*x19 + ht3_x*x17 + hz3_x*x18
+    dF3_y = -hp3_y*x19 + ht3_y*x17 + hz3_y*x18
+    dF3_z = h3*x18
     # n_1 is a unit vector (5) [1]
     F4 = (n1_y*n1_y) + (n1_z*n1_z) + x0 - 1.0
     # n_2 is a unit vector (5) [1]
     F5 = (n2_x*n2_x) + (n2_y*n2_y) + (n2_z*n2_z) - 1.0
     # n_1, n_2 are 120° apart (5) [1]
     F6 = n1_x*n2_x + n1_y*n2_y + n1_z*n2_z + 0.5
-    x29 = -dF3_x
+    x20 = -dF3_x
     # derivatives of F by (n_1, n_2) (6) [m², 1]
-    dF_31 = x29
-    x30 = -dF3_y
-    dF_32 = x30
-    x31 = -dF3_z
-    dF_33 = x31
-    dF_34 = x29
-    dF_35 = x30
-    dF_36 = x31
+    dF_31 = x20
+    x21 = -dF3_y
+    dF_32 = x21
+    x22 = -dF3_z
+    dF_33 = x22
+    dF_34 = x20
+    dF_35 = x21
+    dF_36 = x22
     dF_41 = x4
     dF_42 = 2.0*n1_y
     dF_43 = 2.0*n1_z
@@ -517,7 +526,7 @@ def cones(a: ArrayLike, c: ArrayLike, lengths: ArrayLike) -> Cones:
     """The closure equations as quadratic cones, F_i = n_iᵀ M_i n_i.
 
     Equations (6) of the paper; base frame.
-    79 operations.
+    81 operations.
 
     Parameters
     ----------
@@ -566,7 +575,7 @@ def _cones(
     q1, q2, q3 = lengths
     # distance of C from the plane of the limb (4) [m]
     h1 = a - c_x
-    # cone of limb 1: F_1 = n_1ᵀ M_1 n_1 (6) [m²]
+    # matrix of the cone, which is F_i = n_i · M_i n_i (6) [m²]
     M1_11 = (c_y*c_y) + (c_z*c_z) - (q1*q1)
     x0 = c_y*h1
     M1_12 = x0
@@ -584,52 +593,55 @@ def _cones(
     h2 = -x3 + x5
     x6 = 0.25*c_y
     x7 = SQRT3_2*x4
-    # gt_i = ht_i · n_i [m]
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
     ht2_x = -SQRT3_2*h2 + x6 + x7
     x8 = 0.5*c_y
     x9 = SQRT3_2*c_x
     ht2_y = SQRT3_2*(-x8 - x9) - 0.5*h2
     x10 = -0.5*c_z
-    # gz_i = hz_i · n_i [m]
+    # p_i times the vertical part of the leg, as a form in n_i [m]
     hz2_x = x10
     x11 = SQRT3_2*c_z
     hz2_y = x11
-    x12 = (q2*q2)
-    # cone of limb 2: F_2 = n_2ᵀ M_2 n_2 (6) [m²]
-    M2_11 = (ht2_x*ht2_x) + (hz2_x*hz2_x) - 0.25*x12
-    x13 = 0.5*SQRT3_2
-    x14 = ht2_x*ht2_y + hz2_x*hz2_y + x12*x13
-    M2_12 = x14
-    x15 = h2*hz2_x
-    M2_13 = x15
-    M2_21 = x14
-    M2_22 = (ht2_y*ht2_y) + (hz2_y*hz2_y) - 0.75*x12
-    x16 = h2*hz2_y
-    M2_23 = x16
-    M2_31 = x15
-    M2_32 = x16
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp2_x = -0.5*q2
+    hp2_y = SQRT3_2*q2
+    # matrix of the cone, which is F_i = n_i · M_i n_i (6) [m²]
+    M2_11 = -(hp2_x*hp2_x) + (ht2_x*ht2_x) + (hz2_x*hz2_x)
+    x12 = -hp2_x*hp2_y + ht2_x*ht2_y + hz2_x*hz2_y
+    M2_12 = x12
+    x13 = h2*hz2_x
+    M2_13 = x13
+    M2_21 = x12
+    M2_22 = -(hp2_y*hp2_y) + (ht2_y*ht2_y) + (hz2_y*hz2_y)
+    x14 = h2*hz2_y
+    M2_23 = x14
+    M2_31 = x13
+    M2_32 = x14
     M2_33 = (h2*h2)
     # distance of C from the plane of the limb (4) [m]
     h3 = x3 + x5
-    # gt_i = ht_i · n_i [m]
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
     ht3_x = SQRT3_2*h3 + x6 - x7
     ht3_y = -SQRT3_2*(-x8 + x9) - 0.5*h3
-    # gz_i = hz_i · n_i [m]
+    # p_i times the vertical part of the leg, as a form in n_i [m]
     hz3_x = x10
     hz3_y = -x11
-    x17 = (q3*q3)
-    # cone of limb 3: F_3 = n_3ᵀ M_3 n_3 (6) [m²]
-    M3_11 = (ht3_x*ht3_x) + (hz3_x*hz3_x) - 0.25*x17
-    x18 = ht3_x*ht3_y + hz3_x*hz3_y - x13*x17
-    M3_12 = x18
-    x19 = h3*hz3_x
-    M3_13 = x19
-    M3_21 = x18
-    M3_22 = (ht3_y*ht3_y) + (hz3_y*hz3_y) - 0.75*x17
-    x20 = h3*hz3_y
-    M3_23 = x20
-    M3_31 = x19
-    M3_32 = x20
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp3_x = -0.5*q3
+    hp3_y = -SQRT3_2*q3
+    # matrix of the cone, which is F_i = n_i · M_i n_i (6) [m²]
+    M3_11 = -(hp3_x*hp3_x) + (ht3_x*ht3_x) + (hz3_x*hz3_x)
+    x15 = -hp3_x*hp3_y + ht3_x*ht3_y + hz3_x*hz3_y
+    M3_12 = x15
+    x16 = h3*hz3_x
+    M3_13 = x16
+    M3_21 = x15
+    M3_22 = -(hp3_y*hp3_y) + (ht3_y*ht3_y) + (hz3_y*hz3_y)
+    x17 = h3*hz3_y
+    M3_23 = x17
+    M3_31 = x16
+    M3_32 = x17
     M3_33 = (h3*h3)
     out_cone_1[0, 0] = M1_11
     out_cone_1[0, 1] = M1_12
@@ -669,7 +681,7 @@ def eliminant(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, angle: ArrayLike, 
     """The resultant that vanishes at the angles of leg 1 of the assembly modes.
 
     Equations (5), (6) of the paper; base frame.
-    376 operations.
+    371 operations.
 
     Parameters
     ----------
@@ -739,53 +751,53 @@ def _eliminant(
     f_x = x1*x4
     f_y = x3*x4
     f_z = x2*x4
-    # completes the frame [n_1, f, g] [1]
+    # completes the frame of n_1 [1]
     g_x = -f_y*n1_z + f_z*n1_y
     g_y = f_x*n1_z - f_z*n1_x
     g_z = -f_x*n1_y + f_y*n1_x
     x5 = SQRT3_2*c_y
     x6 = 0.5*c_x
     x7 = a + x6
-    # distance of C from the plane of the limb (4) [1]
+    # distance of C from the plane of the limb (4) [m]
     h2 = -x5 + x7
     x8 = 0.25*c_y
     x9 = SQRT3_2*x6
-    # gt_i = ht_i · n_i [m]
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
     ht2_x = -SQRT3_2*h2 + x8 + x9
     x10 = 0.5*h2
     x11 = 0.5*c_y
     x12 = SQRT3_2*c_x
     ht2_y = SQRT3_2*(-x11 - x12) - x10
     x13 = -0.5*c_z
-    # gz_i = hz_i · n_i [m]
+    # p_i times the vertical part of the leg, as a form in n_i [m]
     hz2_x = x13
     x14 = SQRT3_2*c_z
     hz2_y = x14
-    # p_i q_i = hp_i · n_i [m]
+    # p_i times the length of the leg, as a form in n_i [m]
     hp2_x = -0.5*q2
     hp2_y = SQRT3_2*q2
     x15 = SQRT3_2*(f_x*ht2_x + f_y*ht2_y)
     x16 = 0.5*n1_x
     x17 = 0.5*n1_y
     x18 = ht2_x*x16 + ht2_y*x17
-    # coefficients of ht_2 · n_2 at x², xy, y² [m]
+    # form of limb 2 in the half angle of the turn, at x², xy, y² [m]
     htx2_x = x15 - x18
     x19 = 2.0*SQRT3_2
     htx2_y = x19*(g_x*ht2_x + g_y*ht2_y)
     htx2_z = -x15 - x18
     x20 = SQRT3_2*(f_x*hz2_x + f_y*hz2_y + f_z*h2)
     x21 = hz2_x*x16 + hz2_y*x17 + n1_z*x10
-    # coefficients of hz_2 · n_2 at x², xy, y² [m]
+    # form of limb 2 in the half angle of the turn, at x², xy, y² [m]
     hzx2_x = x20 - x21
     hzx2_y = x19*(g_x*hz2_x + g_y*hz2_y + g_z*h2)
     hzx2_z = -x20 - x21
     x22 = SQRT3_2*(f_x*hp2_x + f_y*hp2_y)
     x23 = hp2_x*x16 + hp2_y*x17
-    # coefficients of hp_2 · n_2 at x², xy, y² [m]
+    # form of limb 2 in the half angle of the turn, at x², xy, y² [m]
     hpx2_x = x22 - x23
     hpx2_y = x19*(g_x*hp2_x + g_y*hp2_y)
     hpx2_z = -x22 - x23
-    # coefficients of F_2 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    # coefficients of (x² + y²)² F_2 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
     K2_1 = -(hpx2_x*hpx2_x) + (htx2_x*htx2_x) + (hzx2_x*hzx2_x)
     x24 = 2.0*hpx2_x
     x25 = 2.0*htx2_x
@@ -794,37 +806,37 @@ def _eliminant(
     K2_3 = -(hpx2_y*hpx2_y) - hpx2_z*x24 + (htx2_y*htx2_y) + htx2_z*x25 + (hzx2_y*hzx2_y) + hzx2_z*x26
     K2_4 = -2.0*hpx2_y*hpx2_z + 2.0*htx2_y*htx2_z + 2.0*hzx2_y*hzx2_z
     K2_5 = -(hpx2_z*hpx2_z) + (htx2_z*htx2_z) + (hzx2_z*hzx2_z)
-    # distance of C from the plane of the limb (4) [1]
+    # distance of C from the plane of the limb (4) [m]
     h3 = x5 + x7
-    # gt_i = ht_i · n_i [m]
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
     ht3_x = SQRT3_2*h3 + x8 - x9
     x27 = 0.5*h3
     ht3_y = -SQRT3_2*(-x11 + x12) - x27
-    # gz_i = hz_i · n_i [m]
+    # p_i times the vertical part of the leg, as a form in n_i [m]
     hz3_x = x13
     hz3_y = -x14
-    # p_i q_i = hp_i · n_i [m]
+    # p_i times the length of the leg, as a form in n_i [m]
     hp3_x = -0.5*q3
     hp3_y = -SQRT3_2*q3
     x28 = SQRT3_2*(f_x*ht3_x + f_y*ht3_y)
     x29 = ht3_x*x16 + ht3_y*x17
-    # coefficients of ht_3 · n_3 at x², xy, y² [m]
+    # form of limb 3 in the half angle of the turn, at x², xy, y² [m]
     htx3_x = -x28 - x29
     htx3_y = -x19*(g_x*ht3_x + g_y*ht3_y)
     htx3_z = x28 - x29
     x30 = SQRT3_2*(f_x*hz3_x + f_y*hz3_y + f_z*h3)
     x31 = hz3_x*x16 + hz3_y*x17 + n1_z*x27
-    # coefficients of hz_3 · n_3 at x², xy, y² [m]
+    # form of limb 3 in the half angle of the turn, at x², xy, y² [m]
     hzx3_x = -x30 - x31
     hzx3_y = -x19*(g_x*hz3_x + g_y*hz3_y + g_z*h3)
     hzx3_z = x30 - x31
     x32 = SQRT3_2*(f_x*hp3_x + f_y*hp3_y)
     x33 = hp3_x*x16 + hp3_y*x17
-    # coefficients of hp_3 · n_3 at x², xy, y² [m]
+    # form of limb 3 in the half angle of the turn, at x², xy, y² [m]
     hpx3_x = -x32 - x33
     hpx3_y = -x19*(g_x*hp3_x + g_y*hp3_y)
     hpx3_z = x32 - x33
-    # coefficients of F_3 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    # coefficients of (x² + y²)² F_3 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
     K3_1 = -(hpx3_x*hpx3_x) + (htx3_x*htx3_x) + (hzx3_x*hzx3_x)
     x34 = 2.0*hpx3_x
     x35 = 2.0*htx3_x
@@ -833,47 +845,47 @@ def _eliminant(
     K3_3 = -(hpx3_y*hpx3_y) - hpx3_z*x34 + (htx3_y*htx3_y) + htx3_z*x35 + (hzx3_y*hzx3_y) + hzx3_z*x36
     K3_4 = -2.0*hpx3_y*hpx3_z + 2.0*htx3_y*htx3_z + 2.0*hzx3_y*hzx3_z
     K3_5 = -(hpx3_z*hpx3_z) + (htx3_z*htx3_z) + (hzx3_z*hzx3_z)
+    # brackets of the two quartics [m⁴]
+    brackets_12 = K2_1*K3_2 - K2_2*K3_1
+    brackets_13 = K2_1*K3_3 - K2_3*K3_1
+    brackets_14 = K2_1*K3_4 - K2_4*K3_1
+    brackets_15 = K2_1*K3_5 - K2_5*K3_1
+    brackets_23 = K2_2*K3_3 - K2_3*K3_2
+    brackets_24 = K2_2*K3_4 - K2_4*K3_2
+    brackets_25 = K2_2*K3_5 - K2_5*K3_2
+    brackets_34 = K2_3*K3_4 - K2_4*K3_3
+    brackets_35 = K2_3*K3_5 - K2_5*K3_3
+    brackets_45 = K2_4*K3_5 - K2_5*K3_4
     # Bezoutian of the two quartics [m⁴]
-    Z_11 = K2_1*K3_2 - K2_2*K3_1
-    x37 = K2_1*K3_3 - K2_3*K3_1
-    Z_12 = x37
-    x38 = K2_1*K3_4 - K2_4*K3_1
-    Z_13 = x38
-    x39 = K2_1*K3_5 - K2_5*K3_1
-    Z_14 = x39
-    Z_21 = x37
-    Z_22 = K2_2*K3_3 - K2_3*K3_2 + x38
-    x40 = K2_2*K3_4 - K2_4*K3_2 + x39
-    Z_23 = x40
-    x41 = K2_2*K3_5 - K2_5*K3_2
-    Z_24 = x41
-    Z_31 = x38
-    Z_32 = x40
-    Z_33 = K2_3*K3_4 - K2_4*K3_3 + x41
-    x42 = K2_3*K3_5 - K2_5*K3_3
-    Z_34 = x42
-    Z_41 = x39
-    Z_42 = x41
-    Z_43 = x42
-    Z_44 = K2_4*K3_5 - K2_5*K3_4
-    # minors of rows 1 and 2 of Z [m⁸]
-    upper_x = Z_11*Z_22 - Z_12*Z_21
-    upper_y = Z_11*Z_23 - Z_13*Z_21
-    upper_z = Z_11*Z_24 - Z_14*Z_21
-    upper_ox = Z_12*Z_23 - Z_13*Z_22
-    upper_oy = Z_12*Z_24 - Z_14*Z_22
-    upper_oz = Z_13*Z_24 - Z_14*Z_23
-    # minors of rows 3 and 4 of Z [m⁸]
-    lower_x = Z_31*Z_42 - Z_32*Z_41
-    lower_y = Z_31*Z_43 - Z_33*Z_41
-    lower_z = Z_31*Z_44 - Z_34*Z_41
-    lower_ox = Z_32*Z_43 - Z_33*Z_42
-    lower_oy = Z_32*Z_44 - Z_34*Z_42
-    lower_oz = Z_33*Z_44 - Z_34*Z_43
-    # resultant of the two quartics, det Z [m¹⁶]
+    Z_22 = brackets_14 + brackets_23
+    x37 = brackets_15 + brackets_24
+    Z_23 = x37
+    Z_32 = x37
+    Z_33 = brackets_25 + brackets_34
+    x38 = (brackets_13*brackets_13)
+    # minors of rows 1 and 2 of the Bezoutian [m⁸]
+    upper_x = Z_22*brackets_12 - x38
+    upper_y = Z_23*brackets_12 - brackets_13*brackets_14
+    upper_z = brackets_12*brackets_25 - brackets_13*brackets_15
+    upper_ox = -Z_22*brackets_14 + Z_23*brackets_13
+    upper_oy = -Z_22*brackets_15 + brackets_13*brackets_25
+    x39 = -brackets_14*brackets_25
+    upper_oz = -Z_23*brackets_15 - x39
+    # minors of rows 3 and 4 of the Bezoutian [m⁸]
+    lower_x = -Z_32*brackets_15 - x39
+    lower_y = -Z_33*brackets_15 + brackets_14*brackets_35
+    lower_z = brackets_14*brackets_45 - brackets_15*brackets_35
+    lower_ox = Z_32*brackets_35 - Z_33*brackets_25
+    lower_oy = Z_32*brackets_45 - brackets_25*brackets_35
+    x40 = (brackets_35*brackets_35)
+    lower_oz = Z_33*brackets_45 - x40
+    # resultant of the two quartics, the determinant [m¹⁶]
     eliminant = lower_ox*upper_z - lower_oy*upper_y + lower_oz*upper_x + lower_x*upper_oz - lower_y*upper_oy + lower_z*upper_ox
-    # Hadamard's bound on the eliminant: the product of the lengths of the rows of Z [m¹⁶]
-    bound = sqrt((Z_11*Z_11) + (Z_12*Z_12) + (Z_13*Z_13) + (Z_14*Z_14))*sqrt((Z_21*Z_21) + (Z_22*Z_22) + (Z_23*Z_23) + (Z_24*Z_24))*sqrt((Z_31*Z_31) + (Z_32*Z_32) + (Z_33*Z_33) + (Z_34*Z_34))*sqrt((Z_41*Z_41) + (Z_42*Z_42) + (Z_43*Z_43) + (Z_44*Z_44))
+    x41 = (brackets_25*brackets_25)
+    x42 = (brackets_14*brackets_14)
+    x43 = (brackets_15*brackets_15)
+    # Hadamard's bound on the eliminant: the product of the lengths of the rows [m¹⁶]
+    bound = sqrt((Z_22*Z_22) + (Z_23*Z_23) + x38 + x41)*sqrt((brackets_12*brackets_12) + x38 + x42 + x43)*sqrt((brackets_45*brackets_45) + x40 + x41 + x43)*sqrt((Z_32*Z_32) + (Z_33*Z_33) + x40 + x42)
     out_eliminant[...] = eliminant
     out_bound[...] = bound
 
@@ -889,7 +901,7 @@ def half_turn(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, angle: ArrayLike, 
     """The turn about n_1 at a zero of the eliminant, as a half angle.
 
     Equations (5), (6) of the paper; base frame.
-    394 operations.
+    368 operations.
 
     Parameters
     ----------
@@ -959,53 +971,53 @@ def _half_turn(
     f_x = x1*x4
     f_y = x3*x4
     f_z = x2*x4
-    # completes the frame [n_1, f, g] [1]
+    # completes the frame of n_1 [1]
     g_x = -f_y*n1_z + f_z*n1_y
     g_y = f_x*n1_z - f_z*n1_x
     g_z = -f_x*n1_y + f_y*n1_x
     x5 = SQRT3_2*c_y
     x6 = 0.5*c_x
     x7 = a + x6
-    # distance of C from the plane of the limb (4) [1]
+    # distance of C from the plane of the limb (4) [m]
     h2 = -x5 + x7
     x8 = 0.25*c_y
     x9 = SQRT3_2*x6
-    # gt_i = ht_i · n_i [m]
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
     ht2_x = -SQRT3_2*h2 + x8 + x9
     x10 = 0.5*h2
     x11 = 0.5*c_y
     x12 = SQRT3_2*c_x
     ht2_y = SQRT3_2*(-x11 - x12) - x10
     x13 = -0.5*c_z
-    # gz_i = hz_i · n_i [m]
+    # p_i times the vertical part of the leg, as a form in n_i [m]
     hz2_x = x13
     x14 = SQRT3_2*c_z
     hz2_y = x14
-    # p_i q_i = hp_i · n_i [m]
+    # p_i times the length of the leg, as a form in n_i [m]
     hp2_x = -0.5*q2
     hp2_y = SQRT3_2*q2
     x15 = SQRT3_2*(f_x*ht2_x + f_y*ht2_y)
     x16 = 0.5*n1_x
     x17 = 0.5*n1_y
     x18 = ht2_x*x16 + ht2_y*x17
-    # coefficients of ht_2 · n_2 at x², xy, y² [m]
+    # form of limb 2 in the half angle of the turn, at x², xy, y² [m]
     htx2_x = x15 - x18
     x19 = 2.0*SQRT3_2
     htx2_y = x19*(g_x*ht2_x + g_y*ht2_y)
     htx2_z = -x15 - x18
     x20 = SQRT3_2*(f_x*hz2_x + f_y*hz2_y + f_z*h2)
     x21 = hz2_x*x16 + hz2_y*x17 + n1_z*x10
-    # coefficients of hz_2 · n_2 at x², xy, y² [m]
+    # form of limb 2 in the half angle of the turn, at x², xy, y² [m]
     hzx2_x = x20 - x21
     hzx2_y = x19*(g_x*hz2_x + g_y*hz2_y + g_z*h2)
     hzx2_z = -x20 - x21
     x22 = SQRT3_2*(f_x*hp2_x + f_y*hp2_y)
     x23 = hp2_x*x16 + hp2_y*x17
-    # coefficients of hp_2 · n_2 at x², xy, y² [m]
+    # form of limb 2 in the half angle of the turn, at x², xy, y² [m]
     hpx2_x = x22 - x23
     hpx2_y = x19*(g_x*hp2_x + g_y*hp2_y)
     hpx2_z = -x22 - x23
-    # coefficients of F_2 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    # coefficients of (x² + y²)² F_2 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
     K2_1 = -(hpx2_x*hpx2_x) + (htx2_x*htx2_x) + (hzx2_x*hzx2_x)
     x24 = 2.0*hpx2_x
     x25 = 2.0*htx2_x
@@ -1014,37 +1026,37 @@ def _half_turn(
     K2_3 = -(hpx2_y*hpx2_y) - hpx2_z*x24 + (htx2_y*htx2_y) + htx2_z*x25 + (hzx2_y*hzx2_y) + hzx2_z*x26
     K2_4 = -2.0*hpx2_y*hpx2_z + 2.0*htx2_y*htx2_z + 2.0*hzx2_y*hzx2_z
     K2_5 = -(hpx2_z*hpx2_z) + (htx2_z*htx2_z) + (hzx2_z*hzx2_z)
-    # distance of C from the plane of the limb (4) [1]
+    # distance of C from the plane of the limb (4) [m]
     h3 = x5 + x7
-    # gt_i = ht_i · n_i [m]
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
     ht3_x = SQRT3_2*h3 + x8 - x9
     x27 = 0.5*h3
     ht3_y = -SQRT3_2*(-x11 + x12) - x27
-    # gz_i = hz_i · n_i [m]
+    # p_i times the vertical part of the leg, as a form in n_i [m]
     hz3_x = x13
     hz3_y = -x14
-    # p_i q_i = hp_i · n_i [m]
+    # p_i times the length of the leg, as a form in n_i [m]
     hp3_x = -0.5*q3
     hp3_y = -SQRT3_2*q3
     x28 = SQRT3_2*(f_x*ht3_x + f_y*ht3_y)
     x29 = ht3_x*x16 + ht3_y*x17
-    # coefficients of ht_3 · n_3 at x², xy, y² [m]
+    # form of limb 3 in the half angle of the turn, at x², xy, y² [m]
     htx3_x = -x28 - x29
     htx3_y = -x19*(g_x*ht3_x + g_y*ht3_y)
     htx3_z = x28 - x29
     x30 = SQRT3_2*(f_x*hz3_x + f_y*hz3_y + f_z*h3)
     x31 = hz3_x*x16 + hz3_y*x17 + n1_z*x27
-    # coefficients of hz_3 · n_3 at x², xy, y² [m]
+    # form of limb 3 in the half angle of the turn, at x², xy, y² [m]
     hzx3_x = -x30 - x31
     hzx3_y = -x19*(g_x*hz3_x + g_y*hz3_y + g_z*h3)
     hzx3_z = x30 - x31
     x32 = SQRT3_2*(f_x*hp3_x + f_y*hp3_y)
     x33 = hp3_x*x16 + hp3_y*x17
-    # coefficients of hp_3 · n_3 at x², xy, y² [m]
+    # form of limb 3 in the half angle of the turn, at x², xy, y² [m]
     hpx3_x = -x32 - x33
     hpx3_y = -x19*(g_x*hp3_x + g_y*hp3_y)
     hpx3_z = x32 - x33
-    # coefficients of F_3 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
+    # coefficients of (x² + y²)² F_3 at x⁴, x³y, x²y², xy³, y⁴ (6) [m²]
     K3_1 = -(hpx3_x*hpx3_x) + (htx3_x*htx3_x) + (hzx3_x*hzx3_x)
     x34 = 2.0*hpx3_x
     x35 = 2.0*htx3_x
@@ -1053,40 +1065,48 @@ def _half_turn(
     K3_3 = -(hpx3_y*hpx3_y) - hpx3_z*x34 + (htx3_y*htx3_y) + htx3_z*x35 + (hzx3_y*hzx3_y) + hzx3_z*x36
     K3_4 = -2.0*hpx3_y*hpx3_z + 2.0*htx3_y*htx3_z + 2.0*hzx3_y*hzx3_z
     K3_5 = -(hpx3_z*hpx3_z) + (htx3_z*htx3_z) + (hzx3_z*hzx3_z)
+    # brackets of the two quartics [m⁴]
+    brackets_12 = K2_1*K3_2 - K2_2*K3_1
+    brackets_13 = K2_1*K3_3 - K2_3*K3_1
+    brackets_14 = K2_1*K3_4 - K2_4*K3_1
+    brackets_15 = K2_1*K3_5 - K2_5*K3_1
+    brackets_23 = K2_2*K3_3 - K2_3*K3_2
+    brackets_24 = K2_2*K3_4 - K2_4*K3_2
+    brackets_25 = K2_2*K3_5 - K2_5*K3_2
+    brackets_34 = K2_3*K3_4 - K2_4*K3_3
+    brackets_35 = K2_3*K3_5 - K2_5*K3_3
+    brackets_45 = K2_4*K3_5 - K2_5*K3_4
     # Bezoutian of the two quartics [m⁴]
-    Z_11 = K2_1*K3_2 - K2_2*K3_1
-    Z_12 = K2_1*K3_3 - K2_3*K3_1
-    x37 = K2_1*K3_4 - K2_4*K3_1
-    Z_13 = x37
-    x38 = K2_1*K3_5 - K2_5*K3_1
-    Z_14 = x38
-    Z_22 = K2_2*K3_3 - K2_3*K3_2 + x37
-    Z_23 = K2_2*K3_4 - K2_4*K3_2 + x38
-    x39 = K2_2*K3_5 - K2_5*K3_2
-    Z_24 = x39
-    Z_33 = K2_3*K3_4 - K2_4*K3_3 + x39
-    Z_34 = K2_3*K3_5 - K2_5*K3_3
-    Z_44 = K2_4*K3_5 - K2_5*K3_4
-    x40 = (Z_34*Z_34)
-    x41 = (Z_23*Z_23)
-    x42 = (Z_24*Z_24)
-    # rows 1 and 4 of the adjugate of Z [m¹²]
-    powers_11 = Z_22*Z_33*Z_44 - Z_22*x40 + 2.0*Z_23*Z_24*Z_34 - Z_33*x42 - Z_44*x41
-    x43 = Z_24*Z_34
-    x44 = Z_14*Z_34
-    powers_12 = -Z_12*Z_33*Z_44 + Z_12*x40 + Z_13*Z_23*Z_44 - Z_13*x43 + Z_14*Z_24*Z_33 - Z_23*x44
-    powers_13 = Z_12*Z_23*Z_44 - Z_12*x43 - Z_13*Z_22*Z_44 + Z_13*x42 - Z_14*Z_23*Z_24 + Z_22*x44
-    x45 = Z_23*Z_34
-    x46 = Z_13*Z_23
-    x47 = Z_12*Z_24*Z_33 - Z_12*x45 + Z_13*Z_22*Z_34 - Z_14*Z_22*Z_33 + Z_14*x41 - Z_24*x46
-    powers_14 = x47
-    powers_21 = x47
-    x48 = (Z_13*Z_13)
-    x49 = Z_12*Z_13
-    powers_22 = -Z_11*Z_24*Z_33 + Z_11*x45 + Z_12*Z_14*Z_33 - Z_14*x46 + Z_24*x48 - Z_34*x49
-    x50 = (Z_12*Z_12)
-    powers_23 = -Z_11*Z_22*Z_34 + Z_11*Z_23*Z_24 - Z_12*Z_14*Z_23 + Z_13*Z_14*Z_22 - Z_24*x49 + Z_34*x50
-    powers_24 = Z_11*Z_22*Z_33 - Z_11*x41 + 2.0*Z_12*Z_13*Z_23 - Z_22*x48 - Z_33*x50
+    Z_22 = brackets_14 + brackets_23
+    x37 = brackets_15 + brackets_24
+    Z_23 = x37
+    Z_32 = x37
+    Z_33 = brackets_25 + brackets_34
+    # minors of rows 1 and 2 of the Bezoutian [m⁸]
+    upper_x = Z_22*brackets_12 - (brackets_13*brackets_13)
+    upper_y = Z_23*brackets_12 - brackets_13*brackets_14
+    upper_z = brackets_12*brackets_25 - brackets_13*brackets_15
+    upper_ox = -Z_22*brackets_14 + Z_23*brackets_13
+    upper_oy = -Z_22*brackets_15 + brackets_13*brackets_25
+    x38 = -brackets_14*brackets_25
+    upper_oz = -Z_23*brackets_15 - x38
+    # minors of rows 3 and 4 of the Bezoutian [m⁸]
+    lower_x = -Z_32*brackets_15 - x38
+    lower_y = -Z_33*brackets_15 + brackets_14*brackets_35
+    lower_z = brackets_14*brackets_45 - brackets_15*brackets_35
+    lower_ox = Z_32*brackets_35 - Z_33*brackets_25
+    lower_oy = Z_32*brackets_45 - brackets_25*brackets_35
+    lower_oz = Z_33*brackets_45 - (brackets_35*brackets_35)
+    # row 1 of the adjugate [m¹²]
+    adj1_1 = Z_22*lower_oz - Z_23*lower_oy + brackets_25*lower_ox
+    adj1_2 = Z_23*lower_z - brackets_13*lower_oz - brackets_25*lower_y
+    adj1_3 = -Z_22*lower_z + brackets_13*lower_oy + brackets_25*lower_x
+    adj1_4 = Z_22*lower_y - Z_23*lower_x - brackets_13*lower_ox
+    # row 4 of the adjugate [m¹²]
+    adj4_1 = -Z_32*upper_oz + Z_33*upper_oy - brackets_35*upper_ox
+    adj4_2 = -Z_33*upper_z + brackets_14*upper_oz + brackets_35*upper_y
+    adj4_3 = Z_32*upper_z - brackets_14*upper_oy - brackets_35*upper_x
+    adj4_4 = -Z_32*upper_y + Z_33*upper_x + brackets_14*upper_ox
     out_frame[0, 0] = n1_x
     out_frame[0, 1] = n1_y
     out_frame[0, 2] = n1_z
@@ -1096,14 +1116,14 @@ def _half_turn(
     out_frame[2, 0] = g_x
     out_frame[2, 1] = g_y
     out_frame[2, 2] = g_z
-    out_powers[0, 0] = powers_11
-    out_powers[0, 1] = powers_12
-    out_powers[0, 2] = powers_13
-    out_powers[0, 3] = powers_14
-    out_powers[1, 0] = powers_21
-    out_powers[1, 1] = powers_22
-    out_powers[1, 2] = powers_23
-    out_powers[1, 3] = powers_24
+    out_powers[0, 0] = adj1_1
+    out_powers[0, 1] = adj1_2
+    out_powers[0, 2] = adj1_3
+    out_powers[0, 3] = adj1_4
+    out_powers[1, 0] = adj4_1
+    out_powers[1, 1] = adj4_2
+    out_powers[1, 2] = adj4_3
+    out_powers[1, 3] = adj4_4
 
 
 class TurnedDirections(NamedTuple):
@@ -1153,9 +1173,7 @@ def _turned_directions(
     x, y = half_angle
     x0 = (x*x)
     x1 = (y*y)
-    # square of the half angle's length [1]
-    xy = x0 + x1
-    x2 = 1.0/xy
+    x2 = 1.0/(x0 + x1)
     x3 = 2.0*x*x2*y
     x4 = x2*(x0 - x1)
     # direction from C to B_2, the platform turned by phi about n_1 (5) [1]
@@ -1238,7 +1256,7 @@ def _circles(
 ) -> None:
     c_x, c_y, c_z = c
     q1, q2, q3 = lengths
-    (start_11, start_12), (start_21, start_22) = start
+    (cos_start1, sin_start1), (cos_start2, sin_start2) = start
     # from C to A_1 [m]
     center1_x = a - c_x
     x0 = -c_y
@@ -1246,81 +1264,81 @@ def _circles(
     x1 = -c_z
     center1_z = x1
     # direction of leg 1 a quarter turn on [1]
-    up1_y = -start_12
-    x2 = q1*start_11
-    # (1 + t²)(b_1 − c) at 1 [m]
-    v10_y = center1_y + x2
-    x3 = q1*start_12
-    v10_z = center1_z + x3
-    # (1 + t²)(b_1 − c) at t [m]
-    v11_y = 2.0*q1*up1_y
-    v11_z = 2.0*x2
-    # (1 + t²)(b_1 − c) at t² [m]
-    v12_y = center1_y - x2
-    v12_z = center1_z - x3
+    up1_y = -sin_start1
+    x2 = cos_start1*q1
+    # from C to B_1 times 1 + t², its part at 1 [m]
+    va1_y = center1_y + x2
+    x3 = q1*sin_start1
+    va1_z = center1_z + x3
+    # from C to B_1 times 1 + t², its part at t [m]
+    vb1_y = 2.0*q1*up1_y
+    vb1_z = 2.0*x2
+    # from C to B_1 times 1 + t², its part at t² [m]
+    vc1_y = center1_y - x2
+    vc1_z = center1_z - x3
     # from C to A_2 [m]
     center2_x = -0.5*a - c_x
     center2_y = SQRT3_2*a + x0
     center2_z = x1
     # direction of leg 2 at half angle 0 [1]
-    near2_x = -SQRT3_2*start_21
-    near2_y = -0.5*start_21
+    near2_x = -SQRT3_2*cos_start2
+    near2_y = -0.5*cos_start2
     # direction of leg 2 a quarter turn on [1]
-    up2_x = SQRT3_2*start_22
-    up2_y = 0.5*start_22
+    up2_x = SQRT3_2*sin_start2
+    up2_y = 0.5*sin_start2
     x4 = near2_x*q2
-    # (1 + t²)(b_2 − c) at 1 [m]
-    v20_x = center2_x + x4
+    # from C to B_2 times 1 + s², its part at 1 [m]
+    va2_x = center2_x + x4
     x5 = near2_y*q2
-    v20_y = center2_y + x5
-    x6 = q2*start_22
-    v20_z = center2_z + x6
+    va2_y = center2_y + x5
+    x6 = q2*sin_start2
+    va2_z = center2_z + x6
     x7 = 2.0*q2
-    # (1 + t²)(b_2 − c) at t [m]
-    v21_x = up2_x*x7
-    v21_y = up2_y*x7
-    v21_z = start_21*x7
-    # (1 + t²)(b_2 − c) at t² [m]
-    v22_x = center2_x - x4
-    v22_y = center2_y - x5
-    v22_z = center2_z - x6
+    # from C to B_2 times 1 + s², its part at s [m]
+    vb2_x = up2_x*x7
+    vb2_y = up2_y*x7
+    vb2_z = cos_start2*x7
+    # from C to B_2 times 1 + s², its part at s² [m]
+    vc2_x = center2_x - x4
+    vc2_y = center2_y - x5
+    vc2_z = center2_z - x6
     x8 = 0.5*c_x
-    # distance of C from the plane of the limb (4) [1]
+    # distance of C from the plane of the limb (4) [m]
     h3 = SQRT3_2*c_y + a + x8
-    # gt_i = ht_i · n_i [m]
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
     ht3_x = SQRT3_2*h3 - SQRT3_2*x8 + 0.25*c_y
     ht3_y = -SQRT3_2*(SQRT3_2*c_x - 0.5*c_y) - 0.5*h3
-    # gz_i = hz_i · n_i [m]
+    # p_i times the vertical part of the leg, as a form in n_i [m]
     hz3_x = -0.5*c_z
     hz3_y = -SQRT3_2*c_z
-    # p_i q_i = hp_i · n_i [m]
+    # p_i times the length of the leg, as a form in n_i [m]
     hp3_x = -0.5*q3
     hp3_y = -SQRT3_2*q3
     x9 = (center1_x*center1_x)
-    # coefficients of |v_1|² [m²]
-    N1_1 = (v10_y*v10_y) + (v10_z*v10_z) + x9
-    x10 = 2.0*v10_y
-    x11 = 2.0*v10_z
-    N1_2 = v11_y*x10 + v11_z*x11
-    N1_3 = (v11_y*v11_y) + (v11_z*v11_z) + v12_y*x10 + v12_z*x11 + 2.0*x9
-    N1_4 = 2.0*v11_y*v12_y + 2.0*v11_z*v12_z
-    N1_5 = (v12_y*v12_y) + (v12_z*v12_z) + x9
+    # square of the arm to B_1, its coefficients [m²]
+    N1_1 = (va1_y*va1_y) + (va1_z*va1_z) + x9
+    x10 = 2.0*va1_y
+    x11 = 2.0*va1_z
+    N1_2 = vb1_y*x10 + vb1_z*x11
+    N1_3 = (vb1_y*vb1_y) + (vb1_z*vb1_z) + vc1_y*x10 + vc1_z*x11 + 2.0*x9
+    N1_4 = 2.0*vb1_y*vc1_y + 2.0*vb1_z*vc1_z
+    N1_5 = (vc1_y*vc1_y) + (vc1_z*vc1_z) + x9
     x12 = center1_x*ht3_x
-    # coefficients of ht_3 · v_1 [m²]
-    htv1_x = ht3_y*v10_y + x12
-    htv1_y = ht3_y*v11_y
-    htv1_z = ht3_y*v12_y + x12
+    # form of limb 3 along the arm to B_1, its coefficients [m²]
+    htv1_x = ht3_y*va1_y + x12
+    htv1_y = ht3_y*vb1_y
+    htv1_z = ht3_y*vc1_y + x12
     x13 = center1_x*hz3_x
-    # coefficients of hz_3 · v_1 [m²]
-    hzv1_x = h3*v10_z + hz3_y*v10_y + x13
-    hzv1_y = h3*v11_z + hz3_y*v11_y
-    hzv1_z = h3*v12_z + hz3_y*v12_y + x13
+    # form of limb 3 along the arm to B_1, its coefficients [m²]
+    hzv1_x = h3*va1_z + hz3_y*va1_y + x13
+    hzv1_y = h3*vb1_z + hz3_y*vb1_y
+    hzv1_z = h3*vc1_z + hz3_y*vc1_y + x13
     x14 = center1_x*hp3_x
-    # coefficients of hp_3 · v_1 [m²]
-    hpv1_x = hp3_y*v10_y + x14
-    hpv1_y = hp3_y*v11_y
-    hpv1_z = hp3_y*v12_y + x14
-    # coefficients of v_1ᵀ M_3 v_1 [m⁴]
+    # form of limb 3 along the arm to B_1, its coefficients [m²]
+    hpv1_x = hp3_y*va1_y + x14
+    hpv1_y = hp3_y*vb1_y
+    hpv1_z = hp3_y*vc1_y + x14
+    # cone of limb 3 at the arm to B_1, its coefficients [m⁴]
     C1_1 = -(hpv1_x*hpv1_x) + (htv1_x*htv1_x) + (hzv1_x*hzv1_x)
     x15 = 2.0*hpv1_x
     x16 = 2.0*htv1_x
@@ -1329,28 +1347,28 @@ def _circles(
     C1_3 = -(hpv1_y*hpv1_y) - hpv1_z*x15 + (htv1_y*htv1_y) + htv1_z*x16 + (hzv1_y*hzv1_y) + hzv1_z*x17
     C1_4 = -2.0*hpv1_y*hpv1_z + 2.0*htv1_y*htv1_z + 2.0*hzv1_y*hzv1_z
     C1_5 = -(hpv1_z*hpv1_z) + (htv1_z*htv1_z) + (hzv1_z*hzv1_z)
-    # coefficients of |v_2|² [m²]
-    N2_1 = (v20_x*v20_x) + (v20_y*v20_y) + (v20_z*v20_z)
-    x18 = 2.0*v20_x
-    x19 = 2.0*v20_y
-    x20 = 2.0*v20_z
-    N2_2 = v21_x*x18 + v21_y*x19 + v21_z*x20
-    N2_3 = (v21_x*v21_x) + (v21_y*v21_y) + (v21_z*v21_z) + v22_x*x18 + v22_y*x19 + v22_z*x20
-    N2_4 = 2.0*v21_x*v22_x + 2.0*v21_y*v22_y + 2.0*v21_z*v22_z
-    N2_5 = (v22_x*v22_x) + (v22_y*v22_y) + (v22_z*v22_z)
-    # coefficients of ht_3 · v_2 [m²]
-    htv2_x = ht3_x*v20_x + ht3_y*v20_y
-    htv2_y = ht3_x*v21_x + ht3_y*v21_y
-    htv2_z = ht3_x*v22_x + ht3_y*v22_y
-    # coefficients of hz_3 · v_2 [m²]
-    hzv2_x = h3*v20_z + hz3_x*v20_x + hz3_y*v20_y
-    hzv2_y = h3*v21_z + hz3_x*v21_x + hz3_y*v21_y
-    hzv2_z = h3*v22_z + hz3_x*v22_x + hz3_y*v22_y
-    # coefficients of hp_3 · v_2 [m²]
-    hpv2_x = hp3_x*v20_x + hp3_y*v20_y
-    hpv2_y = hp3_x*v21_x + hp3_y*v21_y
-    hpv2_z = hp3_x*v22_x + hp3_y*v22_y
-    # coefficients of v_2ᵀ M_3 v_2 [m⁴]
+    # square of the arm to B_2, its coefficients [m²]
+    N2_1 = (va2_x*va2_x) + (va2_y*va2_y) + (va2_z*va2_z)
+    x18 = 2.0*va2_x
+    x19 = 2.0*va2_y
+    x20 = 2.0*va2_z
+    N2_2 = vb2_x*x18 + vb2_y*x19 + vb2_z*x20
+    N2_3 = (vb2_x*vb2_x) + (vb2_y*vb2_y) + (vb2_z*vb2_z) + vc2_x*x18 + vc2_y*x19 + vc2_z*x20
+    N2_4 = 2.0*vb2_x*vc2_x + 2.0*vb2_y*vc2_y + 2.0*vb2_z*vc2_z
+    N2_5 = (vc2_x*vc2_x) + (vc2_y*vc2_y) + (vc2_z*vc2_z)
+    # form of limb 3 along the arm to B_2, its coefficients [m²]
+    htv2_x = ht3_x*va2_x + ht3_y*va2_y
+    htv2_y = ht3_x*vb2_x + ht3_y*vb2_y
+    htv2_z = ht3_x*vc2_x + ht3_y*vc2_y
+    # form of limb 3 along the arm to B_2, its coefficients [m²]
+    hzv2_x = h3*va2_z + hz3_x*va2_x + hz3_y*va2_y
+    hzv2_y = h3*vb2_z + hz3_x*vb2_x + hz3_y*vb2_y
+    hzv2_z = h3*vc2_z + hz3_x*vc2_x + hz3_y*vc2_y
+    # form of limb 3 along the arm to B_2, its coefficients [m²]
+    hpv2_x = hp3_x*va2_x + hp3_y*va2_y
+    hpv2_y = hp3_x*vb2_x + hp3_y*vb2_y
+    hpv2_z = hp3_x*vc2_x + hp3_y*vc2_y
+    # cone of limb 3 at the arm to B_2, its coefficients [m⁴]
     C2_1 = -(hpv2_x*hpv2_x) + (htv2_x*htv2_x) + (hzv2_x*hzv2_x)
     x21 = 2.0*hpv2_x
     x22 = 2.0*htv2_x
@@ -1359,20 +1377,20 @@ def _circles(
     C2_3 = -(hpv2_y*hpv2_y) - hpv2_z*x21 + (htv2_y*htv2_y) + htv2_z*x22 + (hzv2_y*hzv2_y) + hzv2_z*x23
     C2_4 = -2.0*hpv2_y*hpv2_z + 2.0*htv2_y*htv2_z + 2.0*hzv2_y*hzv2_z
     C2_5 = -(hpv2_z*hpv2_z) + (htv2_z*htv2_z) + (hzv2_z*hzv2_z)
-    x24 = center1_x*v20_x
-    # coefficients of v_1 · v_2 [m²]
-    N12_11 = v10_y*v20_y + v10_z*v20_z + x24
-    x25 = center1_x*v21_x
-    N12_12 = v10_y*v21_y + v10_z*v21_z + x25
-    x26 = center1_x*v22_x
-    N12_13 = v10_y*v22_y + v10_z*v22_z + x26
-    N12_21 = v11_y*v20_y + v11_z*v20_z
-    N12_22 = v11_y*v21_y + v11_z*v21_z
-    N12_23 = v11_y*v22_y + v11_z*v22_z
-    N12_31 = v12_y*v20_y + v12_z*v20_z + x24
-    N12_32 = v12_y*v21_y + v12_z*v21_z + x25
-    N12_33 = v12_y*v22_y + v12_z*v22_z + x26
-    # coefficients of v_1ᵀ M_3 v_2 [m⁴]
+    x24 = center1_x*va2_x
+    # product of the arms to B_1 and B_2, its coefficients [m²]
+    N12_11 = va1_y*va2_y + va1_z*va2_z + x24
+    x25 = center1_x*vb2_x
+    N12_12 = va1_y*vb2_y + va1_z*vb2_z + x25
+    x26 = center1_x*vc2_x
+    N12_13 = va1_y*vc2_y + va1_z*vc2_z + x26
+    N12_21 = va2_y*vb1_y + va2_z*vb1_z
+    N12_22 = vb1_y*vb2_y + vb1_z*vb2_z
+    N12_23 = vb1_y*vc2_y + vb1_z*vc2_z
+    N12_31 = va2_y*vc1_y + va2_z*vc1_z + x24
+    N12_32 = vb2_y*vc1_y + vb2_z*vc1_z + x25
+    N12_33 = vc1_y*vc2_y + vc1_z*vc2_z + x26
+    # cone of limb 3 between the arms to B_1 and B_2, its coefficients [m⁴]
     C12_11 = -hpv1_x*hpv2_x + htv1_x*htv2_x + hzv1_x*hzv2_x
     C12_12 = -hpv1_x*hpv2_y + htv1_x*htv2_y + hzv1_x*hzv2_y
     C12_13 = -hpv1_x*hpv2_z + htv1_x*htv2_z + hzv1_x*hzv2_z
@@ -1382,7 +1400,7 @@ def _circles(
     C12_31 = -hpv1_z*hpv2_x + htv1_z*htv2_x + hzv1_z*hzv2_x
     C12_32 = -hpv1_z*hpv2_y + htv1_z*htv2_y + hzv1_z*hzv2_y
     C12_33 = -hpv1_z*hpv2_z + htv1_z*htv2_z + hzv1_z*hzv2_z
-    # coefficients of 4 (v_1·v_2)² − |v_1|² |v_2|² (5) [m⁴]
+    # condition that n_1 and n_2 are 120° apart, its coefficients (5) [m⁴]
     angle_11 = 4.0*(N12_11*N12_11) - N1_1*N2_1
     x27 = 8.0*N12_11
     angle_12 = N12_12*x27 - N1_1*N2_2
@@ -1416,7 +1434,7 @@ def _circles(
     angle_54 = 8.0*N12_32*N12_33 - N1_5*N2_4
     angle_55 = 4.0*(N12_33*N12_33) - N1_5*N2_5
     x34 = 4.0*C12_11
-    # coefficients of |v_2|² v_1ᵀM_3v_1 − 4 (v_1·v_2) v_1ᵀM_3v_2 + |v_1|² v_2ᵀM_3v_2 (6) [m⁶]
+    # condition that limb 3 closes, its coefficients (6) [m⁶]
     cone_11 = C1_1*N2_1 + C2_1*N1_1 - N12_11*x34
     x35 = 4.0*C12_12
     cone_12 = C1_1*N2_2 + C2_2*N1_1 - N12_11*x35 - N12_12*x34
@@ -1501,22 +1519,22 @@ def _circles(
     out_cone[4, 3] = cone_54
     out_cone[4, 4] = cone_55
     out_first[0, 0] = center1_x
-    out_first[0, 1] = v10_y
-    out_first[0, 2] = v10_z
-    out_first[1, 1] = v11_y
-    out_first[1, 2] = v11_z
+    out_first[0, 1] = va1_y
+    out_first[0, 2] = va1_z
+    out_first[1, 1] = vb1_y
+    out_first[1, 2] = vb1_z
     out_first[2, 0] = center1_x
-    out_first[2, 1] = v12_y
-    out_first[2, 2] = v12_z
-    out_second[0, 0] = v20_x
-    out_second[0, 1] = v20_y
-    out_second[0, 2] = v20_z
-    out_second[1, 0] = v21_x
-    out_second[1, 1] = v21_y
-    out_second[1, 2] = v21_z
-    out_second[2, 0] = v22_x
-    out_second[2, 1] = v22_y
-    out_second[2, 2] = v22_z
+    out_first[2, 1] = vc1_y
+    out_first[2, 2] = vc1_z
+    out_second[0, 0] = va2_x
+    out_second[0, 1] = va2_y
+    out_second[0, 2] = va2_z
+    out_second[1, 0] = vb2_x
+    out_second[1, 1] = vb2_y
+    out_second[1, 2] = vb2_z
+    out_second[2, 0] = vc2_x
+    out_second[2, 1] = vc2_y
+    out_second[2, 2] = vc2_z
 
 
 class Arms(NamedTuple):
@@ -1576,7 +1594,7 @@ def _arms(
 ) -> None:
     c_x, c_y, c_z = c
     q1, q2, q3 = lengths
-    (start_11, start_12), (start_21, start_22) = start
+    (cos_start1, sin_start1), (cos_start2, sin_start2) = start
     t, s = half_tangents
     # from C to A_1 [m]
     center1_x = a - c_x
@@ -1585,56 +1603,56 @@ def _arms(
     x1 = -c_z
     center1_z = x1
     # direction of leg 1 a quarter turn on [1]
-    up1_y = -start_12
-    x2 = q1*start_11
-    # (1 + t²)(b_1 − c) at 1 [m]
-    v10_y = center1_y + x2
-    x3 = q1*start_12
-    v10_z = center1_z + x3
-    # (1 + t²)(b_1 − c) at t [m]
-    v11_y = 2.0*q1*up1_y
-    v11_z = 2.0*x2
-    # (1 + t²)(b_1 − c) at t² [m]
-    v12_y = center1_y - x2
-    v12_z = center1_z - x3
+    up1_y = -sin_start1
+    x2 = cos_start1*q1
+    # from C to B_1 times 1 + t², its part at 1 [m]
+    va1_y = center1_y + x2
+    x3 = q1*sin_start1
+    va1_z = center1_z + x3
+    # from C to B_1 times 1 + t², its part at t [m]
+    vb1_y = 2.0*q1*up1_y
+    vb1_z = 2.0*x2
+    # from C to B_1 times 1 + t², its part at t² [m]
+    vc1_y = center1_y - x2
+    vc1_z = center1_z - x3
     # from C to A_2 [m]
     center2_x = -0.5*a - c_x
     center2_y = SQRT3_2*a + x0
     center2_z = x1
     # direction of leg 2 at half angle 0 [1]
-    near2_x = -SQRT3_2*start_21
-    near2_y = -0.5*start_21
+    near2_x = -SQRT3_2*cos_start2
+    near2_y = -0.5*cos_start2
     # direction of leg 2 a quarter turn on [1]
-    up2_x = SQRT3_2*start_22
-    up2_y = 0.5*start_22
+    up2_x = SQRT3_2*sin_start2
+    up2_y = 0.5*sin_start2
     x4 = near2_x*q2
-    # (1 + t²)(b_2 − c) at 1 [m]
-    v20_x = center2_x + x4
+    # from C to B_2 times 1 + s², its part at 1 [m]
+    va2_x = center2_x + x4
     x5 = near2_y*q2
-    v20_y = center2_y + x5
-    x6 = q2*start_22
-    v20_z = center2_z + x6
+    va2_y = center2_y + x5
+    x6 = q2*sin_start2
+    va2_z = center2_z + x6
     x7 = 2.0*q2
-    # (1 + t²)(b_2 − c) at t [m]
-    v21_x = up2_x*x7
-    v21_y = up2_y*x7
-    v21_z = start_21*x7
-    # (1 + t²)(b_2 − c) at t² [m]
-    v22_x = center2_x - x4
-    v22_y = center2_y - x5
-    v22_z = center2_z - x6
+    # from C to B_2 times 1 + s², its part at s [m]
+    vb2_x = up2_x*x7
+    vb2_y = up2_y*x7
+    vb2_z = cos_start2*x7
+    # from C to B_2 times 1 + s², its part at s² [m]
+    vc2_x = center2_x - x4
+    vc2_y = center2_y - x5
+    vc2_z = center2_z - x6
     x8 = (t*t)
     x9 = 1.0/(x8 + 1.0)
     # from C to B_1 [m]
     arm1_x = x9*(center1_x*x8 + center1_x)
-    arm1_y = x9*(t*v11_y + v10_y + v12_y*x8)
-    arm1_z = x9*(t*v11_z + v10_z + v12_z*x8)
+    arm1_y = x9*(t*vb1_y + va1_y + vc1_y*x8)
+    arm1_z = x9*(t*vb1_z + va1_z + vc1_z*x8)
     x10 = (s*s)
     x11 = 1.0/(x10 + 1.0)
     # from C to B_2 [m]
-    arm2_x = x11*(s*v21_x + v20_x + v22_x*x10)
-    arm2_y = x11*(s*v21_y + v20_y + v22_y*x10)
-    arm2_z = x11*(s*v21_z + v20_z + v22_z*x10)
+    arm2_x = x11*(s*vb2_x + va2_x + vc2_x*x10)
+    arm2_y = x11*(s*vb2_y + va2_y + vc2_y*x10)
+    arm2_z = x11*(s*vb2_z + va2_z + vc2_z*x10)
     out_arms[0, 0] = arm1_x
     out_arms[0, 1] = arm1_y
     out_arms[0, 2] = arm1_z
@@ -1657,7 +1675,7 @@ def newton_step(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, directions: Arra
     """One step of Newton's method on the rotation, for the three closure equations.
 
     Equations (6) of the paper; base frame.
-    264 operations.
+    278 operations.
 
     Parameters
     ----------
@@ -1741,95 +1759,104 @@ def _newton_step(
     x5 = a + x4
     # distance of C from the plane of the limb (4) [m]
     h2 = -x3 + x5
-    x6 = 0.5*n2_x
-    x7 = SQRT3_2*n2_y
+    x6 = 0.25*c_y
+    x7 = SQRT3_2*x4
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
+    ht2_x = -SQRT3_2*h2 + x6 + x7
+    x8 = 0.5*c_y
+    x9 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x8 - x9) - 0.5*h2
+    x10 = -0.5*c_z
+    # p_i times the vertical part of the leg, as a form in n_i [m]
+    hz2_x = x10
+    x11 = SQRT3_2*c_z
+    hz2_y = x11
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp2_x = -0.5*q2
+    hp2_y = SQRT3_2*q2
     # cosine of the angle between n_i and u_i (4) [1]
-    p2 = -x6 + x7
-    x8 = 0.25*c_y
-    x9 = SQRT3_2*x4
-    x10 = -SQRT3_2*h2 + x8 + x9
-    x11 = 0.5*c_y
-    x12 = SQRT3_2*c_x
-    x13 = SQRT3_2*(-x11 - x12) - 0.5*h2
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
     # p_i times the horizontal part of the leg [m]
-    gt2 = n2_x*x10 + n2_y*x13
+    gt2 = ht2_x*n2_x + ht2_y*n2_y
     # p_i times the vertical part of the leg [m]
-    gz2 = -c_z*x6 + c_z*x7 + h2*n2_z
-    x14 = (q2*q2)
+    gz2 = h2*n2_z + hz2_x*n2_x + hz2_y*n2_y
     # closure equation of limb i, times p_i squared (6) [m²]
-    F2 = (gt2*gt2) + (gz2*gz2) - x14*(p2*p2)
-    x15 = c_z*gz2
-    x16 = p2*x14
-    x17 = 2.0*gt2
+    F2 = (gt2*gt2) + (gz2*gz2) - (p2*p2)*(q2*q2)
+    x12 = 2.0*gt2
+    x13 = 2.0*gz2
+    x14 = 2.0*p2*q2
     # gradient of F_i in n_i (6) [m²]
-    dF2_x = x10*x17 - x15 + x16
-    x18 = 2.0*SQRT3_2
-    dF2_y = x13*x17 + x15*x18 - x16*x18
-    dF2_z = 2.0*gz2*h2
+    dF2_x = -hp2_x*x14 + ht2_x*x12 + hz2_x*x13
+    dF2_y = -hp2_y*x14 + ht2_y*x12 + hz2_y*x13
+    dF2_z = h2*x13
     # distance of C from the plane of the limb (4) [m]
     h3 = x3 + x5
-    x19 = 0.5*n3_x
-    x20 = SQRT3_2*n3_y
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
+    ht3_x = SQRT3_2*h3 + x6 - x7
+    ht3_y = -SQRT3_2*(-x8 + x9) - 0.5*h3
+    # p_i times the vertical part of the leg, as a form in n_i [m]
+    hz3_x = x10
+    hz3_y = -x11
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp3_x = -0.5*q3
+    hp3_y = -SQRT3_2*q3
     # cosine of the angle between n_i and u_i (4) [1]
-    p3 = -x19 - x20
-    x21 = SQRT3_2*h3 + x8 - x9
-    x22 = -SQRT3_2*(-x11 + x12) - 0.5*h3
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
     # p_i times the horizontal part of the leg [m]
-    gt3 = n3_x*x21 + n3_y*x22
+    gt3 = ht3_x*n3_x + ht3_y*n3_y
     # p_i times the vertical part of the leg [m]
-    gz3 = -c_z*x19 - c_z*x20 + h3*n3_z
-    x23 = (q3*q3)
+    gz3 = h3*n3_z + hz3_x*n3_x + hz3_y*n3_y
     # closure equation of limb i, times p_i squared (6) [m²]
-    F3 = (gt3*gt3) + (gz3*gz3) - x23*(p3*p3)
-    x24 = c_z*gz3
-    x25 = p3*x23
-    x26 = 2.0*gt3
+    F3 = (gt3*gt3) + (gz3*gz3) - (p3*p3)*(q3*q3)
+    x15 = 2.0*gt3
+    x16 = 2.0*gz3
+    x17 = 2.0*p3*q3
     # gradient of F_i in n_i (6) [m²]
-    dF3_x = x21*x26 - x24 + x25
-    dF3_y = -x18*x24 + x18*x25 + x22*x26
-    dF3_z = 2.0*gz3*h3
-    # derivative of F_1 by a turn of the platform (6) [m²]
+    dF3_x = -hp3_x*x17 + ht3_x*x15 + hz3_x*x16
+    dF3_y = -hp3_y*x17 + ht3_y*x15 + hz3_y*x16
+    dF3_z = h3*x16
+    # derivative of F_i by a turn of the platform (6) [m²]
     G1_x = -dF1_y*n1_z + dF1_z*n1_y
     G1_y = dF1_x*n1_z - dF1_z*n1_x
     G1_z = -dF1_x*n1_y + dF1_y*n1_x
-    # derivative of F_2 by a turn of the platform (6) [m²]
+    # derivative of F_i by a turn of the platform (6) [m²]
     G2_x = -dF2_y*n2_z + dF2_z*n2_y
     G2_y = dF2_x*n2_z - dF2_z*n2_x
     G2_z = -dF2_x*n2_y + dF2_y*n2_x
-    # derivative of F_3 by a turn of the platform (6) [m²]
+    # derivative of F_i by a turn of the platform (6) [m²]
     G3_x = -dF3_y*n3_z + dF3_z*n3_y
     G3_y = dF3_x*n3_z - dF3_z*n3_x
     G3_z = -dF3_x*n3_y + dF3_y*n3_x
-    x27 = G2_y*G3_z - G2_z*G3_y
-    x28 = -G2_x*G3_z + G2_z*G3_x
-    x29 = G2_x*G3_y - G2_y*G3_x
-    # triple product of the G_i: zero where modes meet [m⁶]
-    volume = G1_x*x27 + G1_y*x28 + G1_z*x29
-    x30 = 1.0/volume
-    # Newton's turn: G_i·turn = −F_i [rad]
-    turn_x = -x30*(F1*x27 + F2*(-G1_y*G3_z + G1_z*G3_y) + F3*(G1_y*G2_z - G1_z*G2_y))
-    turn_y = -x30*(F1*x28 + F2*(G1_x*G3_z - G1_z*G3_x) + F3*(-G1_x*G2_z + G1_z*G2_x))
-    turn_z = -x30*(F1*x29 + F2*(-G1_x*G3_y + G1_y*G3_x) + F3*(G1_x*G2_y - G1_y*G2_x))
-    # half of it [1]
+    x18 = G2_y*G3_z - G2_z*G3_y
+    x19 = -G2_x*G3_z + G2_z*G3_x
+    x20 = G2_x*G3_y - G2_y*G3_x
+    # triple product of the derivatives: zero where modes meet [m⁶]
+    volume = G1_x*x18 + G1_y*x19 + G1_z*x20
+    x21 = 1.0/volume
+    # Newton's turn, which cancels every F_i [rad]
+    turn_x = -x21*(F1*x18 + F2*(-G1_y*G3_z + G1_z*G3_y) + F3*(G1_y*G2_z - G1_z*G2_y))
+    turn_y = -x21*(F1*x19 + F2*(G1_x*G3_z - G1_z*G3_x) + F3*(-G1_x*G2_z + G1_z*G2_x))
+    turn_z = -x21*(F1*x20 + F2*(-G1_x*G3_y + G1_y*G3_x) + F3*(G1_x*G2_y - G1_y*G2_x))
+    # half of the turn [1]
     half_turn_x = 0.5*turn_x
     half_turn_y = 0.5*turn_y
     half_turn_z = 0.5*turn_z
     # factor of Cayley's rotation [1]
     cayley = 2.0/((half_turn_x*half_turn_x) + (half_turn_y*half_turn_y) + (half_turn_z*half_turn_z) + 1.0)
-    x31 = half_turn_x*n1_y - half_turn_y*n1_x + n1_z
-    x32 = -half_turn_x*n1_z + half_turn_z*n1_x + n1_y
+    x22 = half_turn_x*n1_y - half_turn_y*n1_x + n1_z
+    x23 = -half_turn_x*n1_z + half_turn_z*n1_x + n1_y
     # n_1 turned [1]
-    next1_x = cayley*(half_turn_y*x31 - half_turn_z*x32) + n1_x
-    x33 = half_turn_y*n1_z - half_turn_z*n1_y + n1_x
-    next1_y = cayley*(-half_turn_x*x31 + half_turn_z*x33) + n1_y
-    next1_z = cayley*(half_turn_x*x32 - half_turn_y*x33) + n1_z
-    x34 = half_turn_x*n2_y - half_turn_y*n2_x + n2_z
-    x35 = -half_turn_x*n2_z + half_turn_z*n2_x + n2_y
+    next1_x = cayley*(half_turn_y*x22 - half_turn_z*x23) + n1_x
+    x24 = half_turn_y*n1_z - half_turn_z*n1_y + n1_x
+    next1_y = cayley*(-half_turn_x*x22 + half_turn_z*x24) + n1_y
+    next1_z = cayley*(half_turn_x*x23 - half_turn_y*x24) + n1_z
+    x25 = half_turn_x*n2_y - half_turn_y*n2_x + n2_z
+    x26 = -half_turn_x*n2_z + half_turn_z*n2_x + n2_y
     # n_2 turned [1]
-    next2_x = cayley*(half_turn_y*x34 - half_turn_z*x35) + n2_x
-    x36 = half_turn_y*n2_z - half_turn_z*n2_y + n2_x
-    next2_y = cayley*(-half_turn_x*x34 + half_turn_z*x36) + n2_y
-    next2_z = cayley*(half_turn_x*x35 - half_turn_y*x36) + n2_z
+    next2_x = cayley*(half_turn_y*x25 - half_turn_z*x26) + n2_x
+    x27 = half_turn_y*n2_z - half_turn_z*n2_y + n2_x
+    next2_y = cayley*(-half_turn_x*x25 + half_turn_z*x27) + n2_y
+    next2_z = cayley*(half_turn_x*x26 - half_turn_y*x27) + n2_z
     out_next[0, 0] = next1_x
     out_next[0, 1] = next1_y
     out_next[0, 2] = next1_z
@@ -1854,6 +1881,232 @@ def _newton_step(
     out_volume[...] = volume
 
 
+class LegStep(NamedTuple):
+    """What `leg_step` returns."""
+
+    directions: Array
+    extension: Array
+    angle: Array
+    second: Array
+    steps: Array
+
+
+def leg_step(a: ArrayLike, c: ArrayLike, lengths: ArrayLike, angle: ArrayLike, second: ArrayLike) -> LegStep:
+    """One step of Newton's method in the angle of leg 1 and the turn about n_1.
+
+    Equations (6) of the paper; base frame.
+    259 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    lengths : array (..., 3)
+        q1, q2, q3 [m]
+    angle : array (..., 2)
+        cos, sin of leg 1's angle [1]
+    second : array (..., 3)
+        n_2, or near it [1]
+
+    Returns
+    -------
+    directions : array (..., 2, 3)
+        n_1 and n_2 before the step [1]
+    extension : array (...)
+        e_1, positive [m]
+    angle : array (..., 2)
+        cos, sin after the step [1]
+    second : array (..., 3)
+        n_2 after the step, or near it [1]
+    steps : array (..., 2)
+        of leg 1's angle and of the turn [rad]
+    """
+    return LegStep(
+        *apply(
+            _leg_step,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("lengths", lengths, (3,)),
+                ("angle", angle, (2,)),
+                ("second", second, (3,)),
+            ),
+            (
+                (2, 3),
+                (),
+                (2,),
+                (3,),
+                (2,),
+            ),
+        )
+    )
+
+
+def _leg_step(
+    out_directions: Array,
+    out_extension: Array,
+    out_angle: Array,
+    out_second: Array,
+    out_steps: Array,
+    a: Array,
+    c: Array,
+    lengths: Array,
+    angle: Array,
+    second: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    q1, q2, q3 = lengths
+    cos_theta, sin_theta = angle
+    guess_x, guess_y, guess_z = second
+    # from C to B_1, leg 1 at the angle theta [m]
+    arm_x = a - c_x
+    arm_y = -c_y + cos_theta*q1
+    x0 = -q1*sin_theta
+    arm_z = -c_z - x0
+    # distance from C to B_1 [m]
+    span = sqrt((arm_x*arm_x) + (arm_y*arm_y) + (arm_z*arm_z))
+    x1 = 1.0/span
+    # direction from C to B_1 (3) [1]
+    n1_x = arm_x*x1
+    n1_y = arm_y*x1
+    n1_z = arm_z*x1
+    # derivative of B_1 by theta [m]
+    tangent_y = x0
+    tangent_z = cos_theta*q1
+    # the turn that takes n_1 along with theta [1]
+    by_angle_x = x1*(n1_y*tangent_z - n1_z*tangent_y)
+    x2 = n1_x*x1
+    by_angle_y = -tangent_z*x2
+    by_angle_z = tangent_y*x2
+    x3 = -guess_x*n1_x - guess_y*n1_y - guess_z*n1_z
+    # part of the guess normal to n_1 [1]
+    side_part_x = guess_x + n1_x*x3
+    side_part_y = guess_y + n1_y*x3
+    side_part_z = guess_z + n1_z*x3
+    x4 = SQRT3_2/(sqrt((side_part_x*side_part_x) + (side_part_y*side_part_y) + (side_part_z*side_part_z)))
+    # direction from C to B_2 (5) [1]
+    n2_x = -0.5*n1_x + side_part_x*x4
+    n2_y = -0.5*n1_y + side_part_y*x4
+    n2_z = -0.5*n1_z + side_part_z*x4
+    # the third direction (5) [1]
+    n3_x = -n1_x - n2_x
+    n3_y = -n1_y - n2_y
+    n3_z = -n1_z - n2_z
+    x5 = SQRT3_2*c_y
+    x6 = 0.5*c_x
+    x7 = a + x6
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x5 + x7
+    x8 = 0.25*c_y
+    x9 = SQRT3_2*x6
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
+    ht2_x = -SQRT3_2*h2 + x8 + x9
+    x10 = 0.5*c_y
+    x11 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x10 - x11) - 0.5*h2
+    x12 = -0.5*c_z
+    # p_i times the vertical part of the leg, as a form in n_i [m]
+    hz2_x = x12
+    x13 = SQRT3_2*c_z
+    hz2_y = x13
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp2_x = -0.5*q2
+    hp2_y = SQRT3_2*q2
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = ht2_x*n2_x + ht2_y*n2_y
+    # p_i times the vertical part of the leg [m]
+    gz2 = h2*n2_z + hz2_x*n2_x + hz2_y*n2_y
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F2 = (gt2*gt2) + (gz2*gz2) - (p2*p2)*(q2*q2)
+    x14 = 2.0*gt2
+    x15 = 2.0*gz2
+    x16 = 2.0*p2*q2
+    # gradient of F_i in n_i (6) [m²]
+    dF2_x = -hp2_x*x16 + ht2_x*x14 + hz2_x*x15
+    dF2_y = -hp2_y*x16 + ht2_y*x14 + hz2_y*x15
+    dF2_z = h2*x15
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x5 + x7
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
+    ht3_x = SQRT3_2*h3 + x8 - x9
+    ht3_y = -SQRT3_2*(-x10 + x11) - 0.5*h3
+    # p_i times the vertical part of the leg, as a form in n_i [m]
+    hz3_x = x12
+    hz3_y = -x13
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp3_x = -0.5*q3
+    hp3_y = -SQRT3_2*q3
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # p_i times the horizontal part of the leg [m]
+    gt3 = ht3_x*n3_x + ht3_y*n3_y
+    # p_i times the vertical part of the leg [m]
+    gz3 = h3*n3_z + hz3_x*n3_x + hz3_y*n3_y
+    # closure equation of limb i, times p_i squared (6) [m²]
+    F3 = (gt3*gt3) + (gz3*gz3) - (p3*p3)*(q3*q3)
+    x17 = 2.0*gt3
+    x18 = 2.0*gz3
+    x19 = 2.0*p3*q3
+    # gradient of F_i in n_i (6) [m²]
+    dF3_x = -hp3_x*x19 + ht3_x*x17 + hz3_x*x18
+    dF3_y = -hp3_y*x19 + ht3_y*x17 + hz3_y*x18
+    dF3_z = h3*x18
+    # derivative of F_i by a turn of the platform (6) [m²]
+    G2_x = -dF2_y*n2_z + dF2_z*n2_y
+    G2_y = dF2_x*n2_z - dF2_z*n2_x
+    G2_z = -dF2_x*n2_y + dF2_y*n2_x
+    # derivative of F_i by theta [m²]
+    Ft2 = G2_x*by_angle_x + G2_y*by_angle_y + G2_z*by_angle_z
+    # derivative of F_i by phi [m²]
+    Fp2 = G2_x*n1_x + G2_y*n1_y + G2_z*n1_z
+    # derivative of F_i by a turn of the platform (6) [m²]
+    G3_x = -dF3_y*n3_z + dF3_z*n3_y
+    G3_y = dF3_x*n3_z - dF3_z*n3_x
+    G3_z = -dF3_x*n3_y + dF3_y*n3_x
+    # derivative of F_i by theta [m²]
+    Ft3 = G3_x*by_angle_x + G3_y*by_angle_y + G3_z*by_angle_z
+    # derivative of F_i by phi [m²]
+    Fp3 = G3_x*n1_x + G3_y*n1_y + G3_z*n1_z
+    # determinant of the derivatives [m⁴]
+    det_leg = -Fp2*Ft3 + Fp3*Ft2
+    x20 = 1.0/det_leg
+    # step of theta [rad]
+    dtheta = x20*(-F2*Fp3 + F3*Fp2)
+    # step of phi [rad]
+    dphi = x20*(F2*Ft3 - F3*Ft2)
+    # half of the step of theta [1]
+    half_step = 0.5*dtheta
+    x21 = (half_step*half_step)
+    x22 = 1.0/(x21 + 1.0)
+    x23 = 2.0*half_step
+    x24 = 1.0 - x21
+    # cosine and sine of theta after the step [1]
+    next_leg_1 = x22*(cos_theta*x24 - sin_theta*x23)
+    next_leg_2 = x22*(cos_theta*x23 + sin_theta*x24)
+    # n_2 after the step, but for its length [1]
+    next_guess_x = dphi*(n1_y*n2_z - n1_z*n2_y) + dtheta*(by_angle_y*n2_z - by_angle_z*n2_y) + n2_x
+    next_guess_y = dphi*(-n1_x*n2_z + n1_z*n2_x) + dtheta*(-by_angle_x*n2_z + by_angle_z*n2_x) + n2_y
+    next_guess_z = dphi*(n1_x*n2_y - n1_y*n2_x) + dtheta*(by_angle_x*n2_y - by_angle_y*n2_x) + n2_z
+    out_directions[0, 0] = n1_x
+    out_directions[0, 1] = n1_y
+    out_directions[0, 2] = n1_z
+    out_directions[1, 0] = n2_x
+    out_directions[1, 1] = n2_y
+    out_directions[1, 2] = n2_z
+    out_extension[...] = span
+    out_angle[0] = next_leg_1
+    out_angle[1] = next_leg_2
+    out_second[0] = next_guess_x
+    out_second[1] = next_guess_y
+    out_second[2] = next_guess_z
+    out_steps[0] = dtheta
+    out_steps[1] = dphi
+
+
 class Fold(NamedTuple):
     """What `fold` returns."""
 
@@ -1868,7 +2121,7 @@ def fold(a: ArrayLike, joints: ArrayLike, directions: ArrayLike) -> Fold:
     """What decides whether two assembly modes have merged.
 
     Equations (6) of the paper; base frame.
-    663 operations.
+    468 operations.
 
     Parameters
     ----------
@@ -1943,271 +2196,202 @@ def _fold(
     n3_z = -n1_z - n2_z
     # distance of C from the plane of the limb (4) [m]
     h1 = a - c_x
-    x6 = h1*n1_y
     # p_i times the horizontal part of the leg [m]
-    gt1 = c_y*n1_x + x6
-    x7 = h1*n1_z
+    gt1 = c_y*n1_x + h1*n1_y
     # p_i times the vertical part of the leg [m]
-    gz1 = c_z*n1_x + x7
-    x8 = (q1*q1)
-    x9 = x8*(n1_x*n1_x)
+    gz1 = c_z*n1_x + h1*n1_z
+    x6 = (q1*q1)
+    x7 = x6*(n1_x*n1_x)
     # closure equation of limb i, times p_i squared (6) [m²]
-    F1 = (gt1*gt1) + (gz1*gz1) - x9
-    x10 = 2.0*gt1
-    x11 = 2.0*gz1
-    x12 = 2.0*x8
+    F1 = (gt1*gt1) + (gz1*gz1) - x7
+    x8 = 2.0*gt1
+    x9 = 2.0*gz1
+    x10 = 2.0*x6
     # gradient of F_i in n_i (6) [m²]
-    dF1_x = c_y*x10 + c_z*x11 - n1_x*x12
-    dF1_y = h1*x10
-    dF1_z = h1*x11
-    x13 = SQRT3_2*c_y
-    x14 = 0.5*c_x
-    x15 = a + x14
+    dF1_x = c_y*x8 + c_z*x9 - n1_x*x10
+    dF1_y = h1*x8
+    dF1_z = h1*x9
+    x11 = SQRT3_2*c_y
+    x12 = 0.5*c_x
+    x13 = a + x12
     # distance of C from the plane of the limb (4) [m]
-    h2 = -x13 + x15
-    x16 = 0.5*n2_x
-    x17 = SQRT3_2*n2_y
+    h2 = -x11 + x13
+    x14 = 0.25*c_y
+    x15 = SQRT3_2*x12
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
+    ht2_x = -SQRT3_2*h2 + x14 + x15
+    x16 = 0.5*c_y
+    x17 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x16 - x17) - 0.5*h2
+    x18 = -0.5*c_z
+    # p_i times the vertical part of the leg, as a form in n_i [m]
+    hz2_x = x18
+    x19 = SQRT3_2*c_z
+    hz2_y = x19
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp2_x = -0.5*q2
+    hp2_y = SQRT3_2*q2
+    x20 = 0.5*n2_x
     # cosine of the angle between n_i and u_i (4) [1]
-    p2 = -x16 + x17
-    x18 = 0.25*c_y
-    x19 = SQRT3_2*x14
-    x20 = -SQRT3_2*h2 + x18 + x19
-    x21 = 0.5*c_y
-    x22 = SQRT3_2*c_x
-    x23 = SQRT3_2*(-x21 - x22) - 0.5*h2
+    p2 = SQRT3_2*n2_y - x20
     # p_i times the horizontal part of the leg [m]
-    gt2 = n2_x*x20 + n2_y*x23
+    gt2 = ht2_x*n2_x + ht2_y*n2_y
     # p_i times the vertical part of the leg [m]
-    gz2 = -c_z*x16 + c_z*x17 + h2*n2_z
-    x24 = (q2*q2)
-    x25 = x24*(p2*p2)
+    gz2 = h2*n2_z + hz2_x*n2_x + hz2_y*n2_y
+    x21 = (p2*p2)*(q2*q2)
     # closure equation of limb i, times p_i squared (6) [m²]
-    F2 = (gt2*gt2) + (gz2*gz2) - x25
-    x26 = c_z*gz2
-    x27 = p2*x24
-    x28 = 2.0*gt2
+    F2 = (gt2*gt2) + (gz2*gz2) - x21
+    x22 = 2.0*gt2
+    x23 = 2.0*gz2
+    x24 = 2.0*p2*q2
     # gradient of F_i in n_i (6) [m²]
-    dF2_x = x20*x28 - x26 + x27
-    x29 = 2.0*SQRT3_2
-    dF2_y = x23*x28 + x26*x29 - x27*x29
-    x30 = 2.0*h2
-    dF2_z = gz2*x30
+    dF2_x = -hp2_x*x24 + ht2_x*x22 + hz2_x*x23
+    dF2_y = -hp2_y*x24 + ht2_y*x22 + hz2_y*x23
+    dF2_z = h2*x23
     # distance of C from the plane of the limb (4) [m]
-    h3 = x13 + x15
-    x31 = 0.5*n3_x
-    x32 = SQRT3_2*n3_y
+    h3 = x11 + x13
+    # p_i times the horizontal part of the leg, as a form in n_i [m]
+    ht3_x = SQRT3_2*h3 + x14 - x15
+    ht3_y = -SQRT3_2*(-x16 + x17) - 0.5*h3
+    # p_i times the vertical part of the leg, as a form in n_i [m]
+    hz3_x = x18
+    hz3_y = -x19
+    # p_i times the length of the leg, as a form in n_i [m]
+    hp3_x = -0.5*q3
+    hp3_y = -SQRT3_2*q3
+    x25 = 0.5*n3_x
     # cosine of the angle between n_i and u_i (4) [1]
-    p3 = -x31 - x32
-    x33 = SQRT3_2*h3 + x18 - x19
-    x34 = -SQRT3_2*(-x21 + x22) - 0.5*h3
+    p3 = -SQRT3_2*n3_y - x25
     # p_i times the horizontal part of the leg [m]
-    gt3 = n3_x*x33 + n3_y*x34
+    gt3 = ht3_x*n3_x + ht3_y*n3_y
     # p_i times the vertical part of the leg [m]
-    gz3 = -c_z*x31 - c_z*x32 + h3*n3_z
-    x35 = (q3*q3)
-    x36 = x35*(p3*p3)
+    gz3 = h3*n3_z + hz3_x*n3_x + hz3_y*n3_y
+    x26 = (p3*p3)*(q3*q3)
     # closure equation of limb i, times p_i squared (6) [m²]
-    F3 = (gt3*gt3) + (gz3*gz3) - x36
-    x37 = c_z*gz3
-    x38 = p3*x35
-    x39 = 2.0*gt3
+    F3 = (gt3*gt3) + (gz3*gz3) - x26
+    x27 = 2.0*gt3
+    x28 = 2.0*gz3
+    x29 = 2.0*p3*q3
     # gradient of F_i in n_i (6) [m²]
-    dF3_x = x33*x39 - x37 + x38
-    dF3_y = -x29*x37 + x29*x38 + x34*x39
-    dF3_z = 2.0*gz3*h3
-    x40 = dF1_y*n1_z
-    # derivative of F_1 by a turn of the platform (6) [m²]
-    G1_x = dF1_z*n1_y - x40
-    x41 = dF1_z*n1_x
-    G1_y = dF1_x*n1_z - x41
-    x42 = dF1_x*n1_y
-    G1_z = dF1_y*n1_x - x42
-    x43 = dF2_y*n2_z
-    # derivative of F_2 by a turn of the platform (6) [m²]
-    G2_x = dF2_z*n2_y - x43
-    x44 = dF2_z*n2_x
-    G2_y = dF2_x*n2_z - x44
-    x45 = dF2_x*n2_y
-    G2_z = dF2_y*n2_x - x45
-    x46 = dF3_y*n3_z
-    # derivative of F_3 by a turn of the platform (6) [m²]
-    G3_x = dF3_z*n3_y - x46
-    x47 = dF3_z*n3_x
-    G3_y = dF3_x*n3_z - x47
-    x48 = dF3_x*n3_y
-    G3_z = dF3_y*n3_x - x48
-    x49 = G2_y*G3_z - G2_z*G3_y
-    x50 = -G2_x*G3_z + G2_z*G3_x
-    x51 = G2_x*G3_y - G2_y*G3_x
-    # triple product of the G_i: zero where modes meet [m⁶]
-    volume = G1_x*x49 + G1_y*x50 + G1_z*x51
-    # change of n_1 by a turn about x [1]
-    dn1x_y = -n1_z
-    x52 = 2.0*h1
-    x53 = 2.0*c_z
-    # change of dF_1 [m²]
-    ddF1x_x = c_y*dn1x_y*x52 + x53*x6
-    x54 = 2.0*(h1*h1)
-    ddF1x_y = dn1x_y*x54
-    ddF1x_z = n1_y*x54
-    # change of G_1 [m²]
-    dG1x_x = -dF1_y*n1_y + dF1_z*dn1x_y - ddF1x_y*n1_z + ddF1x_z*n1_y
-    dG1x_y = ddF1x_x*n1_z - ddF1x_z*n1_x + x42
-    dG1x_z = -dF1_x*dn1x_y - ddF1x_x*n1_y + ddF1x_y*n1_x
-    # change of n_1 by a turn about y [1]
-    dn1y_z = -n1_x
-    x55 = 2.0*n1_z
-    x56 = c_z*x55 + dn1y_z*x52
-    # change of dF_1 [m²]
-    ddF1y_x = x55*(c_y*c_y) + c_z*x56 - n1_z*x12
-    ddF1y_y = 2.0*c_y*x7
-    ddF1y_z = h1*x56
-    # change of G_1 [m²]
-    dG1y_x = -dF1_y*dn1y_z - ddF1y_y*n1_z + ddF1y_z*n1_y
-    dG1y_y = dF1_x*dn1y_z - dF1_z*n1_z + ddF1y_x*n1_z - ddF1y_z*n1_x
-    dG1y_z = -ddF1y_x*n1_y + ddF1y_y*n1_x + x40
-    # change of n_1 by a turn about z [1]
-    dn1z_x = -n1_y
-    x57 = 2.0*dn1z_x
-    x58 = c_y*x57 + n1_x*x52
-    # change of dF_1 [m²]
-    ddF1z_x = c_y*x58 + x57*(c_z*c_z) - dn1z_x*x12
-    ddF1z_y = h1*x58
-    ddF1z_z = c_z*dn1z_x*x52
-    # change of G_1 [m²]
-    dG1z_x = -ddF1z_y*n1_z + ddF1z_z*n1_y + x41
-    dG1z_y = -dF1_z*dn1z_x + ddF1z_x*n1_z - ddF1z_z*n1_x
-    dG1z_z = -dF1_x*n1_x + dF1_y*dn1z_x - ddF1z_x*n1_y + ddF1z_y*n1_x
-    # change of n_2 by a turn about x [1]
-    dn2x_y = -n2_z
-    x59 = dn2x_y*x24
-    x60 = 2.0*dn2x_y
-    x61 = SQRT3_2*c_z
-    x62 = n2_y*x30 + x60*x61
-    x63 = c_z*x62
-    x64 = x20*x23
-    # change of dF_2 [m²]
-    ddF2x_x = SQRT3_2*x59 + x60*x64 - 0.5*x63
-    ddF2x_y = SQRT3_2*x63 + x60*(x23*x23) - 1.5*x59
-    ddF2x_z = h2*x62
-    # change of G_2 [m²]
-    dG2x_x = -dF2_y*n2_y + dF2_z*dn2x_y - ddF2x_y*n2_z + ddF2x_z*n2_y
-    dG2x_y = ddF2x_x*n2_z - ddF2x_z*n2_x + x45
-    dG2x_z = -dF2_x*dn2x_y - ddF2x_x*n2_y + ddF2x_y*n2_x
-    # change of n_2 by a turn about y [1]
-    dn2y_z = -n2_x
-    x65 = n2_z*x24
-    x66 = -c_z*n2_z + 2.0*dn2y_z*h2
-    x67 = c_z*x66
-    # change of dF_2 [m²]
-    ddF2y_x = 2.0*n2_z*(x20*x20) - 0.5*x65 - 0.5*x67
-    ddF2y_y = SQRT3_2*x65 + SQRT3_2*x67 + 2.0*n2_z*x64
-    ddF2y_z = h2*x66
-    # change of G_2 [m²]
-    dG2y_x = -dF2_y*dn2y_z - ddF2y_y*n2_z + ddF2y_z*n2_y
-    dG2y_y = dF2_x*dn2y_z - dF2_z*n2_z + ddF2y_x*n2_z - ddF2y_z*n2_x
-    dG2y_z = -ddF2y_x*n2_y + ddF2y_y*n2_x + x43
-    # change of n_2 by a turn about z [1]
-    dn2z_x = -n2_y
-    x68 = SQRT3_2*n2_x
-    x69 = x24*(-0.5*dn2z_x + x68)
-    x70 = -c_z*dn2z_x + x53*x68
-    x71 = c_z*x70
-    x72 = 2.0*dn2z_x*x20 + 2.0*n2_x*x23
-    # change of dF_2 [m²]
-    ddF2z_x = x20*x72 + x69 - 0.5*x71
-    ddF2z_y = SQRT3_2*x71 + x23*x72 - x29*x69
-    ddF2z_z = h2*x70
-    # change of G_2 [m²]
-    dG2z_x = -ddF2z_y*n2_z + ddF2z_z*n2_y + x44
-    dG2z_y = -dF2_z*dn2z_x + ddF2z_x*n2_z - ddF2z_z*n2_x
-    dG2z_z = -dF2_x*n2_x + dF2_y*dn2z_x - ddF2z_x*n2_y + ddF2z_y*n2_x
-    # change of n_3 by a turn about x [1]
-    dn3x_y = -n3_z
-    x73 = dn3x_y*x35
-    x74 = -2.0*dn3x_y*x61 + 2.0*h3*n3_y
-    x75 = c_z*x74
-    # change of dF_3 [m²]
-    ddF3x_x = -SQRT3_2*x73 + 2.0*dn3x_y*x33*x34 - 0.5*x75
-    ddF3x_y = -SQRT3_2*x75 + 2.0*dn3x_y*(x34*x34) - 1.5*x73
-    ddF3x_z = h3*x74
-    # change of G_3 [m²]
-    dG3x_x = -dF3_y*n3_y + dF3_z*dn3x_y - ddF3x_y*n3_z + ddF3x_z*n3_y
-    dG3x_y = ddF3x_x*n3_z - ddF3x_z*n3_x + x48
-    dG3x_z = -dF3_x*dn3x_y - ddF3x_x*n3_y + ddF3x_y*n3_x
-    # change of n_3 by a turn about y [1]
-    dn3y_z = -n3_x
-    x76 = n3_z*x35
-    x77 = -c_z*n3_z + 2.0*dn3y_z*h3
-    x78 = c_z*x77
-    # change of dF_3 [m²]
-    ddF3y_x = 2.0*n3_z*(x33*x33) - 0.5*x76 - 0.5*x78
-    ddF3y_y = -SQRT3_2*x76 - SQRT3_2*x78 + 2.0*n3_z*x33*x34
-    ddF3y_z = h3*x77
-    # change of G_3 [m²]
-    dG3y_x = -dF3_y*dn3y_z - ddF3y_y*n3_z + ddF3y_z*n3_y
-    dG3y_y = dF3_x*dn3y_z - dF3_z*n3_z + ddF3y_x*n3_z - ddF3y_z*n3_x
-    dG3y_z = -ddF3y_x*n3_y + ddF3y_y*n3_x + x46
-    # change of n_3 by a turn about z [1]
-    dn3z_x = -n3_y
-    x79 = SQRT3_2*n3_x
-    x80 = x35*(-0.5*dn3z_x - x79)
-    x81 = -c_z*dn3z_x - x53*x79
-    x82 = c_z*x81
-    x83 = 2.0*dn3z_x*x33 + 2.0*n3_x*x34
-    # change of dF_3 [m²]
-    ddF3z_x = x33*x83 + x80 - 0.5*x82
-    ddF3z_y = -SQRT3_2*x82 + x29*x80 + x34*x83
-    ddF3z_z = h3*x81
-    # change of G_3 [m²]
-    dG3z_x = -ddF3z_y*n3_z + ddF3z_z*n3_y + x47
-    dG3z_y = -dF3_z*dn3z_x + ddF3z_x*n3_z - ddF3z_z*n3_x
-    dG3z_z = -dF3_x*n3_x + dF3_y*dn3z_x - ddF3z_x*n3_y + ddF3z_y*n3_x
-    x84 = -G1_y*G3_z + G1_z*G3_y
-    x85 = G1_x*G3_z - G1_z*G3_x
-    x86 = -G1_x*G3_y + G1_y*G3_x
-    x87 = G1_y*G2_z - G1_z*G2_y
-    x88 = -G1_x*G2_z + G1_z*G2_x
-    x89 = G1_x*G2_y - G1_y*G2_x
-    # derivative of the triple product by a turn [m⁶]
-    dvolume_x = dG1x_x*x49 + dG1x_y*x50 + dG1x_z*x51 + dG2x_x*x84 + dG2x_y*x85 + dG2x_z*x86 + dG3x_x*x87 + dG3x_y*x88 + dG3x_z*x89
-    dvolume_y = dG1y_x*x49 + dG1y_y*x50 + dG1y_z*x51 + dG2y_x*x84 + dG2y_y*x85 + dG2y_z*x86 + dG3y_x*x87 + dG3y_y*x88 + dG3y_z*x89
-    dvolume_z = dG1z_x*x49 + dG1z_y*x50 + dG1z_z*x51 + dG2z_x*x84 + dG2z_y*x85 + dG2z_z*x86 + dG3z_x*x87 + dG3z_y*x88 + dG3z_z*x89
-    # change of lambda by the elevation [1]
-    dc5_x = -x0*x5
-    dc5_y = -x3*x5
-    dc5_z = x1
-    # change of lambda by the azimuth [1]
-    dc4_x = -x4
-    dc4_y = x2
-    # gradient of F_1 by the position of C (6) [m]
-    cF1_x = -n1_y*x10 - n1_z*x11
-    cF1_y = n1_x*x10
-    cF1_z = n1_x*x11
-    x90 = gz2*n2_z
-    # gradient of F_2 by the position of C (6) [m]
-    cF2_x = x28*(-SQRT3_2*p2 - SQRT3_2*x16 - 0.25*n2_y) + x90
-    cF2_y = 2.0*gt2*(SQRT3_2*(0.5*n2_y + x68) - 0.5*p2) - x29*x90
-    cF2_z = 2.0*gz2*p2
-    x91 = gz3*n3_z
-    # gradient of F_3 by the position of C (6) [m]
-    cF3_x = x39*(SQRT3_2*p3 + SQRT3_2*x31 - 0.25*n3_y) + x91
-    cF3_y = x29*x91 + x39*(-SQRT3_2*(0.5*n3_y - x79) - 0.5*p3)
-    cF3_z = 2.0*gz3*p3
-    # derivatives of F by the logarithms of q1 ... q6 (6) [m²]
-    qF_11 = -2.0*x9
-    x92 = q4*q6
-    qF_14 = x92*(cF1_x*dc4_x + cF1_y*dc4_y)
-    x93 = q5*q6
-    qF_15 = x93*(cF1_x*dc5_x + cF1_y*dc5_y + cF1_z*dc5_z)
+    dF3_x = -hp3_x*x29 + ht3_x*x27 + hz3_x*x28
+    dF3_y = -hp3_y*x29 + ht3_y*x27 + hz3_y*x28
+    dF3_z = h3*x28
+    # derivative of F_i by a turn of the platform (6) [m²]
+    G1_x = -dF1_y*n1_z + dF1_z*n1_y
+    G1_y = dF1_x*n1_z - dF1_z*n1_x
+    G1_z = -dF1_x*n1_y + dF1_y*n1_x
+    # derivative of F_i by a turn of the platform (6) [m²]
+    G2_x = -dF2_y*n2_z + dF2_z*n2_y
+    G2_y = dF2_x*n2_z - dF2_z*n2_x
+    G2_z = -dF2_x*n2_y + dF2_y*n2_x
+    # derivative of F_i by a turn of the platform (6) [m²]
+    G3_x = -dF3_y*n3_z + dF3_z*n3_y
+    G3_y = dF3_x*n3_z - dF3_z*n3_x
+    G3_z = -dF3_x*n3_y + dF3_y*n3_x
+    x30 = G2_y*G3_z - G2_z*G3_y
+    x31 = -G2_x*G3_z + G2_z*G3_x
+    x32 = G2_x*G3_y - G2_y*G3_x
+    # triple product of the derivatives: zero where modes meet [m⁶]
+    volume = G1_x*x30 + G1_y*x31 + G1_z*x32
+    # cofactor of the derivative of F_i by a turn [m⁴]
+    across1_x = x30
+    across1_y = x31
+    across1_z = x32
+    # change of n_i by a turn [m⁴]
+    slide1_x = across1_y*n1_z - across1_z*n1_y
+    slide1_y = -across1_x*n1_z + across1_z*n1_x
+    slide1_z = across1_x*n1_y - across1_y*n1_x
+    x33 = 2.0*slide1_x
+    x34 = 2.0*h1
+    x35 = c_y*x33 + slide1_y*x34
+    x36 = c_z*x33 + slide1_z*x34
+    # change of the gradient of F_i with n_i [m⁶]
+    bend1_x = c_y*x35 + c_z*x36 - slide1_x*x10
+    bend1_y = h1*x35
+    bend1_z = h1*x36
+    # cofactor of the derivative of F_i by a turn [m⁴]
+    across2_x = -G1_y*G3_z + G1_z*G3_y
+    across2_y = G1_x*G3_z - G1_z*G3_x
+    across2_z = -G1_x*G3_y + G1_y*G3_x
+    # change of n_i by a turn [m⁴]
+    slide2_x = across2_y*n2_z - across2_z*n2_y
+    slide2_y = -across2_x*n2_z + across2_z*n2_x
+    slide2_z = across2_x*n2_y - across2_y*n2_x
+    x37 = 2.0*slide2_x
+    x38 = 2.0*slide2_y
+    x39 = -hp2_x*x37 - hp2_y*x38
+    x40 = ht2_x*x37 + ht2_y*x38
+    x41 = 2.0*h2*slide2_z + hz2_x*x37 + hz2_y*x38
+    # change of the gradient of F_i with n_i [m⁶]
+    bend2_x = hp2_x*x39 + ht2_x*x40 + hz2_x*x41
+    bend2_y = hp2_y*x39 + ht2_y*x40 + hz2_y*x41
+    bend2_z = h2*x41
+    # cofactor of the derivative of F_i by a turn [m⁴]
+    across3_x = G1_y*G2_z - G1_z*G2_y
+    across3_y = -G1_x*G2_z + G1_z*G2_x
+    across3_z = G1_x*G2_y - G1_y*G2_x
+    # change of n_i by a turn [m⁴]
+    slide3_x = across3_y*n3_z - across3_z*n3_y
+    slide3_y = -across3_x*n3_z + across3_z*n3_x
+    slide3_z = across3_x*n3_y - across3_y*n3_x
+    x42 = 2.0*slide3_x
+    x43 = 2.0*slide3_y
+    x44 = -hp3_x*x42 - hp3_y*x43
+    x45 = ht3_x*x42 + ht3_y*x43
+    x46 = 2.0*h3*slide3_z + hz3_x*x42 + hz3_y*x43
+    # change of the gradient of F_i with n_i [m⁶]
+    bend3_x = hp3_x*x44 + ht3_x*x45 + hz3_x*x46
+    bend3_y = hp3_y*x44 + ht3_y*x45 + hz3_y*x46
+    bend3_z = h3*x46
+    x47 = -across1_x*dF1_y + across1_y*dF1_x + bend1_z
+    x48 = -across2_x*dF2_y + across2_y*dF2_x + bend2_z
+    x49 = -across3_x*dF3_y + across3_y*dF3_x + bend3_z
+    x50 = across1_x*dF1_z - across1_z*dF1_x + bend1_y
+    x51 = across2_x*dF2_z - across2_z*dF2_x + bend2_y
+    x52 = across3_x*dF3_z - across3_z*dF3_x + bend3_y
+    # derivative of the triple product by a turn of the platform [m⁶]
+    dvolume_x = n1_y*x47 - n1_z*x50 + n2_y*x48 - n2_z*x51 + n3_y*x49 - n3_z*x52
+    x53 = -across1_y*dF1_z + across1_z*dF1_y + bend1_x
+    x54 = -across2_y*dF2_z + across2_z*dF2_y + bend2_x
+    x55 = -across3_y*dF3_z + across3_z*dF3_y + bend3_x
+    dvolume_y = -n1_x*x47 + n1_z*x53 - n2_x*x48 + n2_z*x54 - n3_x*x49 + n3_z*x55
+    dvolume_z = n1_x*x50 - n1_y*x53 + n2_x*x51 - n2_y*x54 + n3_x*x52 - n3_y*x55
+    # derivative of lambda by q4 [1]
+    dlambda4_x = -x4
+    dlambda4_y = x2
+    # derivative of lambda by q5 [1]
+    dlambda5_x = -x0*x5
+    dlambda5_y = -x3*x5
+    dlambda5_z = x1
+    # gradient of F_i by the position of C (6) [m]
+    cF1_x = -n1_y*x8 - n1_z*x9
+    cF1_y = n1_x*x8
+    cF1_z = n1_x*x9
+    x56 = gz2*n2_z
+    # gradient of F_i by the position of C (6) [m]
+    cF2_x = x22*(-SQRT3_2*p2 - SQRT3_2*x20 - 0.25*n2_y) + x56
+    x57 = 2.0*SQRT3_2
+    cF2_y = 2.0*gt2*(SQRT3_2*(SQRT3_2*n2_x + 0.5*n2_y) - 0.5*p2) - x56*x57
+    cF2_z = p2*x23
+    x58 = gz3*n3_z
+    # gradient of F_i by the position of C (6) [m]
+    cF3_x = x27*(SQRT3_2*p3 + SQRT3_2*x25 - 0.25*n3_y) + x58
+    cF3_y = x27*(-SQRT3_2*(-SQRT3_2*n3_x + 0.5*n3_y) - 0.5*p3) + x57*x58
+    cF3_z = p3*x28
+    # derivatives of F by the logarithms of the joint values (6) [m²]
+    qF_11 = -2.0*x7
+    x59 = q4*q6
+    qF_14 = x59*(cF1_x*dlambda4_x + cF1_y*dlambda4_y)
+    x60 = q5*q6
+    qF_15 = x60*(cF1_x*dlambda5_x + cF1_y*dlambda5_y + cF1_z*dlambda5_z)
     qF_16 = cF1_x*c_x + cF1_y*c_y + cF1_z*c_z
-    qF_22 = -2.0*x25
-    qF_24 = x92*(cF2_x*dc4_x + cF2_y*dc4_y)
-    qF_25 = x93*(cF2_x*dc5_x + cF2_y*dc5_y + cF2_z*dc5_z)
+    qF_22 = -2.0*x21
+    qF_24 = x59*(cF2_x*dlambda4_x + cF2_y*dlambda4_y)
+    qF_25 = x60*(cF2_x*dlambda5_x + cF2_y*dlambda5_y + cF2_z*dlambda5_z)
     qF_26 = cF2_x*c_x + cF2_y*c_y + cF2_z*c_z
-    qF_33 = -2.0*x36
-    qF_34 = x92*(cF3_x*dc4_x + cF3_y*dc4_y)
-    qF_35 = x93*(cF3_x*dc5_x + cF3_y*dc5_y + cF3_z*dc5_z)
+    qF_33 = -2.0*x26
+    qF_34 = x59*(cF3_x*dlambda4_x + cF3_y*dlambda4_y)
+    qF_35 = x60*(cF3_x*dlambda5_x + cF3_y*dlambda5_y + cF3_z*dlambda5_z)
     qF_36 = cF3_x*c_x + cF3_y*c_y + cF3_z*c_z
     out_residual[0] = F1
     out_residual[1] = F2
