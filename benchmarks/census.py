@@ -11,8 +11,8 @@ import kleinform
 from benchmarks.joint_values import DISTRIBUTIONS, joint_values
 
 ROWS = 100_000
-#: The most modes that random steps from the best of these joint values led to.
-MOST = (0.0,) * 6
+#: The most modes that a search found: random steps from the best joint values of the census.
+MOST = (67.612, 18.942, 2.281, -3.145, -0.77, 2.435)
 ROBOT = kleinform.UncoupledManipulator(radius=1.0)
 
 

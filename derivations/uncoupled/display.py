@@ -200,10 +200,11 @@ def _newton() -> Iterator[Entry]:
     yield from _named(_pick(correction.fold(), "dvolume"))
     yield from _named([*correction.central_slopes(), correction.position_slope("i")])
     yield from _named(_pick(correction.by_joints(), "qF"))
-    yield from _named(_pick(leg_step.leg(), "span", "tangent", "by_angle", "side_part"))
-    yield "leg_n_2", _pick(leg_step.leg(), "n2")[0]
+    yield from _named(_pick(leg_step.first_leg(), "span", "tangent", "by_angle", "side_part"))
+    yield "leg_n_2", _pick(leg_step.first_leg(), "n2")[0]
     yield from _named(_pick(leg_step.slopes("i"), "Fti", "Fpi"))
     names = ("det_leg", "dtheta", "dphi", "half_step", "next_leg", "next_guess")
+    names += ("next_arm", "next_span", "next_n1", "next_side", "next_n2")
     yield from _named(_pick(leg_step.steps(), *names))
 
 

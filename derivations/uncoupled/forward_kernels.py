@@ -169,10 +169,9 @@ def steps() -> list[Kernel]:
             leg_graph(),
             (*PROBLEM, LEG, Input("second", guess, "1", "n_2, or near it")),
             (
-                Output("directions", matrix("pair", 2, 3), "1", "n_1 and n_2 before the step"),
-                Output("extension", scalar("span"), "m", "e_1, positive"),
-                Output("angle", matrix("next_leg", 2, 1), "1", "cos, sin after the step"),
-                Output("second", vector("next_guess"), "1", "n_2 after the step, or near it"),
+                Output("angle", matrix("next_leg", 2, 1), "1", "cos, sin of leg 1's angle"),
+                Output("directions", matrix("pair", 2, 3), "1", "n_1 and n_2"),
+                Output("extension", scalar("next_span"), "m", "e_1, positive"),
                 Output("steps", matrix("steps", 2, 1), "rad", "of leg 1's angle and of the turn"),
             ),
         ),

@@ -22,7 +22,7 @@ by_angle = vector("by_angle")
 angle_step, turn_step = scalar("dtheta"), scalar("dphi")
 
 
-def leg() -> list[Equation]:
+def first_leg() -> list[Equation]:
     """n_1 at the angle, how it turns with the angle, and n_2 at 120° from it."""
     t = vector("t1")
     tangent, side = vector("tangent"), vector("side_part")
@@ -61,6 +61,9 @@ def steps() -> list[Equation]:
     """The 2×2 system for the steps, and where they lead."""
     f2, f3, t2, t3, p2, p3 = (scalar(f"{name}{i}") for name in ("F", "Ft", "Fp") for i in (2, 3))
     determinant, half = scalar("det_leg"), scalar("half_step")
+    leg, moved = matrix("next_leg", 2, 1), vector("next_guess")
+    next_arm, next_side, next_span = vector("next_arm"), vector("next_side"), scalar("next_span")
+    next_n1 = vector("next_n1")
     return [
         *slopes(2),
         *slopes(3),
@@ -69,7 +72,7 @@ def steps() -> list[Equation]:
         Equation(turn_step, (t3 * f2 - t2 * f3) / determinant, "step of phi", unit="rad"),
         Equation(half, HALF * angle_step, "half of the step of theta"),
         Equation(
-            matrix("next_leg", 2, 1),
+            leg,
             ImmutableDenseMatrix(
                 [
                     ((1 - half**2) * cosine - 2 * half * sine) / (1 + half**2),
@@ -79,9 +82,28 @@ def steps() -> list[Equation]:
             "cosine and sine of theta after the step",
         ),
         Equation(
-            vector("next_guess"),
+            moved,
             n2 + turn_step * Cross(n1, n2) + angle_step * Cross(by_angle, n2),
-            "n_2 after the step, but for its length",
+            "n_2 moved by both steps, in first order",
+        ),
+        Equation(
+            next_arm,
+            a * vector("u1") - c + LENGTHS[0] * (leg[0, 0] * vector("t1") + leg[1, 0] * base_k),
+            "from C to B_1 after the step",
+            unit="m",
+        ),
+        Equation(next_span, Norm(next_arm), "distance from C to B_1 after the step", unit="m"),
+        Equation(next_n1, (1 / next_span) * next_arm, "n_1 after the step", "(3)"),
+        Equation(
+            next_side,
+            moved - Dot(moved, next_n1) * next_n1,
+            "part of the moved n_2 normal to n_1 after the step",
+        ),
+        Equation(
+            vector("next_n2"),
+            -HALF * next_n1 + (ROOT / Norm(next_side)) * next_side,
+            "n_2 after the step",
+            "(5)",
         ),
         Equation(
             matrix("steps", 2, 1),
@@ -96,9 +118,10 @@ def leg_graph() -> Graph:
     """From the angle of leg 1 and n_2 to better ones."""
     graph = Graph((a, c, *LENGTHS, cosine, sine, guess))
     graph.add(constants())
-    graph.add(leg())
+    graph.add(first_leg())
     for i in (2, 3):
         graph.add(cone(i))
     graph.add(steps())
-    graph.add([Equation(matrix("pair", 2, 3), Rows(n1, n2), "n_1 and n_2")])
+    pair = Rows(vector("next_n1"), vector("next_n2"))
+    graph.add([Equation(matrix("pair", 2, 3), pair, "n_1 and n_2 after the step")])
     return graph

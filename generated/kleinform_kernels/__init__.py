@@ -8,7 +8,7 @@ SCHEMA = 1
 CHECKSUMS = {
     "_apply.py": 882710890,
     "uncoupled/__init__.py": 1231556797,
-    "uncoupled/numpy_kernels.py": 1826220413,
-    "uncoupled/mpmath_kernels.py": 3108011861,
-    "uncoupled/arb_kernels.py": 158118704,
+    "uncoupled/numpy_kernels.py": 1587106956,
+    "uncoupled/mpmath_kernels.py": 1036715596,
+    "uncoupled/arb_kernels.py": 2885271091,
 }

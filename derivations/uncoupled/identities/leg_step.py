@@ -23,7 +23,8 @@ CIRCLE = (cosine**2 + sine**2 - 1,)
 
 def identities() -> list[Identity]:
     """How n_1 and n_2 are built and move, and the step."""
-    return [along_leg(), second_direction(), step(), next_angle()]
+    directions = [second_direction(), next_direction()]
+    return [along_leg(), *directions, step(), next_angle()]
 
 
 @cache
@@ -67,6 +68,30 @@ def second_direction() -> Identity:
     relations = (*UNIT, SIZE**2 - components(Dot(SIDE, SIDE)))
     return Identity(
         "n_2 beside leg 1",
+        "n_2 is a unit vector 120° from n_1",
+        difference,
+        relations,
+        "(5)",
+    )
+
+
+def next_direction() -> Identity:
+    """n_2 after the step."""
+    side, first, second = vector("next_side"), vector("next_n1"), vector("next_n2")
+    by_moved = Unfolding(graph(), {}, ("next_n1", "next_guess"))
+    by_side = Unfolding(graph(), {Norm(side): SIZE}, ("next_n1", "next_side"))
+
+    def difference() -> list[Expr]:
+        slant = components(Dot(first, side))
+        return [
+            by_moved(Dot(first, side)),
+            by_side(Dot(first, second)) + HALF - ROOT * slant / SIZE,
+            by_side(Dot(second, second)) - 1 + ROOT * slant / SIZE,
+        ]
+
+    relations = (components(Dot(first, first)) - 1, SIZE**2 - components(Dot(side, side)))
+    return Identity(
+        "n_2 beside leg 1 after the step",
         "n_2 is a unit vector 120° from n_1",
         difference,
         relations,

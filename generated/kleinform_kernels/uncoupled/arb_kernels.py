@@ -1527,10 +1527,9 @@ def newton_step(a: Nested, c: Nested, lengths: Nested, directions: Nested) -> Ne
 class LegStep(NamedTuple):
     """What `leg_step` returns."""
 
+    angle: Nested
     directions: Nested
     extension: Nested
-    angle: Nested
-    second: Nested
     steps: Nested
 
 
@@ -1538,7 +1537,7 @@ def leg_step(a: Nested, c: Nested, lengths: Nested, angle: Nested, second: Neste
     """One step of Newton's method in the angle of leg 1 and the turn about n_1.
 
     Equations (6) of the paper; base frame.
-    259 operations.
+    303 operations.
 
     Parameters
     ----------
@@ -1555,14 +1554,12 @@ def leg_step(a: Nested, c: Nested, lengths: Nested, angle: Nested, second: Neste
 
     Returns
     -------
+    angle : nested list (..., 2)
+        cos, sin of leg 1's angle [1]
     directions : nested list (..., 2, 3)
-        n_1 and n_2 before the step [1]
+        n_1 and n_2 [1]
     extension : nested list (...)
         e_1, positive [m]
-    angle : nested list (..., 2)
-        cos, sin after the step [1]
-    second : nested list (..., 3)
-        n_2 after the step, or near it [1]
     steps : nested list (..., 2)
         of leg 1's angle and of the turn [rad]
     """
@@ -1576,57 +1573,58 @@ def leg_step(a: Nested, c: Nested, lengths: Nested, angle: Nested, second: Neste
     q1, q2, q3 = lengths
     cos_theta, sin_theta = angle
     guess_x, guess_y, guess_z = second
+    x0 = a - c_x
     # from C to B_1, leg 1 at the angle theta [m]
-    arm_x = a - c_x
+    arm_x = x0
     arm_y = -c_y + cos_theta*q1
-    x0 = -q1*sin_theta
-    arm_z = -c_z - x0
+    x1 = -q1*sin_theta
+    arm_z = -c_z - x1
     # distance from C to B_1 [m]
     span = sqrt((arm_x*arm_x) + (arm_y*arm_y) + (arm_z*arm_z))
-    x1 = 1.0/span
+    x2 = 1.0/span
     # direction from C to B_1 (3) [1]
-    n1_x = arm_x*x1
-    n1_y = arm_y*x1
-    n1_z = arm_z*x1
+    n1_x = arm_x*x2
+    n1_y = arm_y*x2
+    n1_z = arm_z*x2
     # derivative of B_1 by theta [m]
-    tangent_y = x0
+    tangent_y = x1
     tangent_z = cos_theta*q1
     # the turn that takes n_1 along with theta [1]
-    by_angle_x = x1*(n1_y*tangent_z - n1_z*tangent_y)
-    x2 = n1_x*x1
-    by_angle_y = -tangent_z*x2
-    by_angle_z = tangent_y*x2
-    x3 = -guess_x*n1_x - guess_y*n1_y - guess_z*n1_z
+    by_angle_x = x2*(n1_y*tangent_z - n1_z*tangent_y)
+    x3 = n1_x*x2
+    by_angle_y = -tangent_z*x3
+    by_angle_z = tangent_y*x3
+    x4 = -guess_x*n1_x - guess_y*n1_y - guess_z*n1_z
     # part of the guess normal to n_1 [1]
-    side_part_x = guess_x + n1_x*x3
-    side_part_y = guess_y + n1_y*x3
-    side_part_z = guess_z + n1_z*x3
-    x4 = SQRT3_2/(sqrt((side_part_x*side_part_x) + (side_part_y*side_part_y) + (side_part_z*side_part_z)))
+    side_part_x = guess_x + n1_x*x4
+    side_part_y = guess_y + n1_y*x4
+    side_part_z = guess_z + n1_z*x4
+    x5 = SQRT3_2/(sqrt((side_part_x*side_part_x) + (side_part_y*side_part_y) + (side_part_z*side_part_z)))
     # direction from C to B_2 (5) [1]
-    n2_x = -arb(1)/2*n1_x + side_part_x*x4
-    n2_y = -arb(1)/2*n1_y + side_part_y*x4
-    n2_z = -arb(1)/2*n1_z + side_part_z*x4
+    n2_x = -arb(1)/2*n1_x + side_part_x*x5
+    n2_y = -arb(1)/2*n1_y + side_part_y*x5
+    n2_z = -arb(1)/2*n1_z + side_part_z*x5
     # the third direction (5) [1]
     n3_x = -n1_x - n2_x
     n3_y = -n1_y - n2_y
     n3_z = -n1_z - n2_z
-    x5 = SQRT3_2*c_y
-    x6 = arb(1)/2*c_x
-    x7 = a + x6
+    x6 = SQRT3_2*c_y
+    x7 = arb(1)/2*c_x
+    x8 = a + x7
     # distance of C from the plane of the limb (4) [m]
-    h2 = -x5 + x7
-    x8 = arb(1)/4*c_y
-    x9 = SQRT3_2*x6
+    h2 = -x6 + x8
+    x9 = arb(1)/4*c_y
+    x10 = SQRT3_2*x7
     # p_i times the horizontal part of the leg, as a form in n_i [m]
-    ht2_x = -SQRT3_2*h2 + x8 + x9
-    x10 = arb(1)/2*c_y
-    x11 = SQRT3_2*c_x
-    ht2_y = SQRT3_2*(-x10 - x11) - arb(1)/2*h2
-    x12 = -arb(1)/2*c_z
+    ht2_x = -SQRT3_2*h2 + x10 + x9
+    x11 = arb(1)/2*c_y
+    x12 = SQRT3_2*c_x
+    ht2_y = SQRT3_2*(-x11 - x12) - arb(1)/2*h2
+    x13 = -arb(1)/2*c_z
     # p_i times the vertical part of the leg, as a form in n_i [m]
-    hz2_x = x12
-    x13 = SQRT3_2*c_z
-    hz2_y = x13
+    hz2_x = x13
+    x14 = SQRT3_2*c_z
+    hz2_y = x14
     # p_i times the length of the leg, as a form in n_i [m]
     hp2_x = -arb(1)/2*q2
     hp2_y = SQRT3_2*q2
@@ -1638,21 +1636,21 @@ def leg_step(a: Nested, c: Nested, lengths: Nested, angle: Nested, second: Neste
     gz2 = h2*n2_z + hz2_x*n2_x + hz2_y*n2_y
     # closure equation of limb i, times p_i squared (6) [m²]
     F2 = (gt2*gt2) + (gz2*gz2) - (p2*p2)*(q2*q2)
-    x14 = 2.0*gt2
-    x15 = 2.0*gz2
-    x16 = 2.0*p2*q2
+    x15 = 2.0*gt2
+    x16 = 2.0*gz2
+    x17 = 2.0*p2*q2
     # gradient of F_i in n_i (6) [m²]
-    dF2_x = -hp2_x*x16 + ht2_x*x14 + hz2_x*x15
-    dF2_y = -hp2_y*x16 + ht2_y*x14 + hz2_y*x15
-    dF2_z = h2*x15
+    dF2_x = -hp2_x*x17 + ht2_x*x15 + hz2_x*x16
+    dF2_y = -hp2_y*x17 + ht2_y*x15 + hz2_y*x16
+    dF2_z = h2*x16
     # distance of C from the plane of the limb (4) [m]
-    h3 = x5 + x7
+    h3 = x6 + x8
     # p_i times the horizontal part of the leg, as a form in n_i [m]
-    ht3_x = SQRT3_2*h3 + x8 - x9
-    ht3_y = -SQRT3_2*(-x10 + x11) - arb(1)/2*h3
+    ht3_x = SQRT3_2*h3 - x10 + x9
+    ht3_y = -SQRT3_2*(-x11 + x12) - arb(1)/2*h3
     # p_i times the vertical part of the leg, as a form in n_i [m]
-    hz3_x = x12
-    hz3_y = -x13
+    hz3_x = x13
+    hz3_y = -x14
     # p_i times the length of the leg, as a form in n_i [m]
     hp3_x = -arb(1)/2*q3
     hp3_y = -SQRT3_2*q3
@@ -1664,13 +1662,13 @@ def leg_step(a: Nested, c: Nested, lengths: Nested, angle: Nested, second: Neste
     gz3 = h3*n3_z + hz3_x*n3_x + hz3_y*n3_y
     # closure equation of limb i, times p_i squared (6) [m²]
     F3 = (gt3*gt3) + (gz3*gz3) - (p3*p3)*(q3*q3)
-    x17 = 2.0*gt3
-    x18 = 2.0*gz3
-    x19 = 2.0*p3*q3
+    x18 = 2.0*gt3
+    x19 = 2.0*gz3
+    x20 = 2.0*p3*q3
     # gradient of F_i in n_i (6) [m²]
-    dF3_x = -hp3_x*x19 + ht3_x*x17 + hz3_x*x18
-    dF3_y = -hp3_y*x19 + ht3_y*x17 + hz3_y*x18
-    dF3_z = h3*x18
+    dF3_x = -hp3_x*x20 + ht3_x*x18 + hz3_x*x19
+    dF3_y = -hp3_y*x20 + ht3_y*x18 + hz3_y*x19
+    dF3_z = h3*x19
     # derivative of F_i by a turn of the platform (6) [m²]
     G2_x = -dF2_y*n2_z + dF2_z*n2_y
     G2_y = dF2_x*n2_z - dF2_z*n2_x
@@ -1689,29 +1687,49 @@ def leg_step(a: Nested, c: Nested, lengths: Nested, angle: Nested, second: Neste
     Fp3 = G3_x*n1_x + G3_y*n1_y + G3_z*n1_z
     # determinant of the derivatives [m⁴]
     det_leg = -Fp2*Ft3 + Fp3*Ft2
-    x20 = 1.0/det_leg
+    x21 = 1.0/det_leg
     # step of theta [rad]
-    dtheta = x20*(-F2*Fp3 + F3*Fp2)
+    dtheta = x21*(-F2*Fp3 + F3*Fp2)
     # step of phi [rad]
-    dphi = x20*(F2*Ft3 - F3*Ft2)
+    dphi = x21*(F2*Ft3 - F3*Ft2)
     # half of the step of theta [1]
     half_step = arb(1)/2*dtheta
-    x21 = (half_step*half_step)
-    x22 = 1.0/(x21 + 1.0)
-    x23 = 2.0*half_step
-    x24 = 1.0 - x21
+    x22 = (half_step*half_step)
+    x23 = 1.0/(x22 + 1.0)
+    x24 = 2.0*half_step
+    x25 = 1.0 - x22
     # cosine and sine of theta after the step [1]
-    next_leg_1 = x22*(cos_theta*x24 - sin_theta*x23)
-    next_leg_2 = x22*(cos_theta*x23 + sin_theta*x24)
-    # n_2 after the step, but for its length [1]
+    next_leg_1 = x23*(cos_theta*x25 - sin_theta*x24)
+    next_leg_2 = x23*(cos_theta*x24 + sin_theta*x25)
+    # n_2 moved by both steps, in first order [1]
     next_guess_x = dphi*(n1_y*n2_z - n1_z*n2_y) + dtheta*(by_angle_y*n2_z - by_angle_z*n2_y) + n2_x
     next_guess_y = dphi*(-n1_x*n2_z + n1_z*n2_x) + dtheta*(-by_angle_x*n2_z + by_angle_z*n2_x) + n2_y
     next_guess_z = dphi*(n1_x*n2_y - n1_y*n2_x) + dtheta*(by_angle_x*n2_y - by_angle_y*n2_x) + n2_z
+    # from C to B_1 after the step [m]
+    next_arm_x = x0
+    next_arm_y = -c_y + next_leg_1*q1
+    next_arm_z = -c_z + next_leg_2*q1
+    # distance from C to B_1 after the step [m]
+    next_span = sqrt((next_arm_x*next_arm_x) + (next_arm_y*next_arm_y) + (next_arm_z*next_arm_z))
+    x26 = 1.0/next_span
+    # n_1 after the step (3) [1]
+    next_n1_x = next_arm_x*x26
+    next_n1_y = next_arm_y*x26
+    next_n1_z = next_arm_z*x26
+    x27 = -next_guess_x*next_n1_x - next_guess_y*next_n1_y - next_guess_z*next_n1_z
+    # part of the moved n_2 normal to n_1 after the step [1]
+    next_side_x = next_guess_x + next_n1_x*x27
+    next_side_y = next_guess_y + next_n1_y*x27
+    next_side_z = next_guess_z + next_n1_z*x27
+    x28 = SQRT3_2/(sqrt((next_side_x*next_side_x) + (next_side_y*next_side_y) + (next_side_z*next_side_z)))
+    # n_2 after the step (5) [1]
+    next_n2_x = -arb(1)/2*next_n1_x + next_side_x*x28
+    next_n2_y = -arb(1)/2*next_n1_y + next_side_y*x28
+    next_n2_z = -arb(1)/2*next_n1_z + next_side_z*x28
     return LegStep(
-        [[n1_x, n1_y, n1_z], [n2_x, n2_y, n2_z]],
-        span,
         [next_leg_1, next_leg_2],
-        [next_guess_x, next_guess_y, next_guess_z],
+        [[next_n1_x, next_n1_y, next_n1_z], [next_n2_x, next_n2_y, next_n2_z]],
+        next_span,
         [dtheta, dphi],
     )
 

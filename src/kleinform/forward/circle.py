@@ -108,31 +108,26 @@ def circles_of(rows: Rows, rank: int) -> Circles:
     The best keeps B at the most even distance from C. A limb with C almost in the plane of
     its leg comes first: in pairs of its modes B is far apart, and the platform is not.
     """
-    everywhere = np.arange(len(rows))
-    candidates = [_circle(rows, np.full(len(rows), limb)) for limb in range(3)]
-    score = np.stack([candidate.stretch for candidate in candidates])
-    across = np.stack([abs(rows.radius - candidate.position[:, 0]) for candidate in candidates])
-    score = np.where(across <= NEAR_PLANE * rows.radius, -score, score)
-    base = np.argsort(score, axis=0, kind="stable")[rank]
-    chosen = {
-        name: np.stack([getattr(candidate, name) for candidate in candidates])[base, everywhere]
-        for name in ("position", "lengths", "far", "stretch")
-    }
-    return Circles(base, **chosen)
-
-
-def _circle(rows: Rows, base: Integers) -> Circles:
-    position = turned(rows.position, base)
-    order = (base[:, np.newaxis] + np.arange(3)) % 3
-    lengths = np.take_along_axis(rows.lengths, order, axis=1)
-    across = rows.radius - position[:, 0]
-    offset = np.hypot(position[:, 1], position[:, 2])
-    far = np.arctan2(-position[:, 2], -position[:, 1])
-    longest = np.hypot(across, offset + lengths[:, 0])
-    shortest = np.hypot(across, offset - lengths[:, 0])
+    x, y, z = rows.position.T
+    # One row a limb, the mechanism turned so that it is limb 1.
+    across = rows.radius - COSINE[:, np.newaxis] * x + SINE[:, np.newaxis] * y
+    aside = SINE[:, np.newaxis] * x + COSINE[:, np.newaxis] * y
+    offset, lengths = np.hypot(aside, z), rows.lengths.T
+    longest, shortest = np.hypot(across, offset + lengths), np.hypot(across, offset - lengths)
     with np.errstate(divide="ignore", invalid="ignore"):
         stretch = np.sqrt(longest / shortest)
-    return Circles(base, position, lengths, far, np.where(np.isfinite(stretch), stretch, np.inf))
+    stretch = np.where(np.isfinite(stretch), stretch, np.inf)
+    score = np.where(abs(across) <= NEAR_PLANE * rows.radius, -stretch, stretch)
+    base = np.argsort(score, axis=0, kind="stable")[rank]
+    row = np.arange(len(rows))
+    order = (base[:, np.newaxis] + np.arange(3)) % 3
+    return Circles(
+        base=base,
+        position=turned(rows.position, base),
+        lengths=rows.lengths[row[:, np.newaxis], order],
+        far=np.arctan2(-z, -aside[base, row]),
+        stretch=stretch[base, row],
+    )
 
 
 def fourier(rows: Rows, circles: Circles) -> tuple[Array, Array]:

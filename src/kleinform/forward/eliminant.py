@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.circle import Circles, Rows, circles_of, fourier
+from kleinform.forward.circle import Circles, Rows, circles_of, fourier, turned
 from kleinform.forward.found import Found, found, nothing, some, together
 from kleinform.forward.isolate import Zeros, isolate
 from kleinform.forward.polish import folds, on_leg, relabelled_back, split, starts
+from kleinform.generated import kernels
 
 __all__ = ["by_eliminant"]
 
@@ -21,10 +22,17 @@ EPS = float(np.finfo(np.float64).eps)
 ROUNDING, LEAST_ROUNDING = 8.0, 64.0 * EPS
 #: A polished mode lies in its cell, but for this angle.
 EDGE = 1e-7
-#: Two modes or folds nearer than this are one that was found twice.
-SAME = 1e-7
-#: A fold is looked for in a cell; the modes on its two sides are not farther apart than this.
+#: Two folds nearer than this are one that was found twice.
+SAME_FOLD = 1e-7
+#: So are two modes; those beside a fold are farther apart, or they have merged.
+SAME_MODE = 1e-9
+#: A fold belongs to a cell when it is not farther from its middle than this angle.
+NEARBY = 0.01
+#: Modes on the two sides of a fold are that near to it, or it is not the fold of these modes.
 FARTHEST = 0.05
+#: Any vector: (w·n_1)² puts modes in an order in which a mode and its copy, or that of −n,
+#: are neighbours.
+SORTER = np.array([0.36, 0.48, 0.8])
 #: More clusters in a row than this come from rounding.
 MOST_CLUSTERS = 6
 
@@ -60,9 +68,8 @@ def _attempt(rows: Rows, rank: int, tolerance: float) -> tuple[Found, Mask]:
     cells = Zeros._make(entry[simple] for entry in zeros)
     alone, held = _simple(rows, circles, cells, angle[simple], directions[simple])
     good[alone.row[~held]] = False
-    row = zeros.row[cluster]
-    near = relabelled_back(directions[cluster], circles.base[row])
-    close, lost = _clusters(rows, row, near, tolerance)
+    cells = Zeros._make(entry[cluster] for entry in zeros)
+    close, lost = _clusters(rows, circles, cells, directions[cluster], tolerance)
     good[lost] = False
     modes = together([alone, close])
     return modes, good & _consistent(modes, len(rows))
@@ -76,25 +83,27 @@ def _simple(
     angle, directions, distance, converged = on_leg(rows, circles, row, angle, directions)
     modes = found(row, relabelled_back(directions, base), 1)
     modes.extension[np.arange(len(row)), base] = distance
-    moved = circles.psi(row, np.arctan2(angle[:, 1], angle[:, 0])) - zeros.guess
-    moved -= 2.0 * np.pi * np.round(moved / (2.0 * np.pi))
+    moved = _turn(circles.psi(row, np.arctan2(angle[:, 1], angle[:, 0])) - zeros.guess)
     inside = (moved >= zeros.low - zeros.guess - EDGE) & (moved <= zeros.high - zeros.guess + EDGE)
     return modes, converged & inside
 
 
 def _clusters(
-    rows: Rows, row: Integers, directions: Array, tolerance: float
+    rows: Rows, circles: Circles, zeros: Zeros, directions: Array, tolerance: float
 ) -> tuple[Found, Integers]:
     """Modes at and beside folds, and the rows in which a cluster is no plain fold."""
+    row = zeros.row
     if not len(row):
         return nothing(), row
-    near = folds(rows, row, directions, tolerance)
-    far = np.linalg.norm(near.directions - directions, axis=(1, 2)) > FARTHEST
-    lost = near.lost | far | (near.apart & ~(near.reach <= FARTHEST))
+    near = folds(rows, row, relabelled_back(directions, circles.base[row]), tolerance)
+    away = abs(
+        _turn(circles.psi(row, _base_angle(rows, circles, row, near.directions)) - zeros.guess)
+    )
+    lost = near.lost | ~(away <= NEARBY) | (near.apart & ~(near.reach <= FARTHEST))
     # Cells side by side may lead to the same fold.
     again = np.zeros(len(row), dtype=bool)
     gap = np.linalg.norm(near.directions[1:] - near.directions[:-1], axis=(1, 2))
-    again[1:] = (row[1:] == row[:-1]) & (gap <= SAME) & ~lost[1:] & ~lost[:-1]
+    again[1:] = (row[1:] == row[:-1]) & (gap <= SAME_FOLD) & ~lost[1:] & ~lost[:-1]
     apart, merged = near.apart & ~lost & ~again, near.merged & ~lost & ~again
     both, sure = split(rows, row, near, apart)
     two = np.tile(row[apart], 2)
@@ -106,14 +115,30 @@ def _consistent(modes: Found, count: int) -> Mask:
     """Rows with an even number of modes, no two of them the same."""
     number = np.bincount(modes.row, weights=modes.multiplicity, minlength=count)
     good: Mask = number % 2 == 0
-    # Each mode once, whichever of the pair ±n it is: sorted by what both have in common.
-    shape = modes.directions[:, 0] * np.sign(modes.directions[:, :1, 2])
-    order = np.lexsort((shape[:, 0], modes.row))
-    row, directions = modes.row[order], modes.directions[order]
+    order = np.lexsort(((modes.directions[:, 0] @ SORTER) ** 2, modes.row))
+    row, directions, extension = (
+        entry[order] for entry in (modes.row, modes.directions, modes.extension)
+    )
     for shift in (1, 2):
         gap = np.minimum(
             np.linalg.norm(directions[shift:] - directions[:-shift], axis=(1, 2)),
             np.linalg.norm(directions[shift:] + directions[:-shift], axis=(1, 2)),
         )
-        good[row[shift:][(row[shift:] == row[:-shift]) & (gap <= EPS)]] = False
+        same = (row[shift:] == row[:-shift]) & (gap <= SAME_MODE)
+        # With C in the plane of the base leg two modes share their directions, not their e.
+        other = abs(abs(extension[shift:]) - abs(extension[:-shift])) > SAME_MODE
+        good[row[shift:][same & ~other.any(axis=1)]] = False
     return good
+
+
+def _turn(angle: Array) -> Array:
+    """An angle in [−π, π]."""
+    return angle - 2.0 * np.pi * np.round(angle / (2.0 * np.pi))
+
+
+def _base_angle(rows: Rows, circles: Circles, row: Integers, directions: Array) -> Array:
+    """The angle of the base leg of platforms with these n_1, n_2."""
+    rotation = kernels.rotation_from_directions(directions[:, 0], directions[:, 1]).rotation
+    legs = kernels.limb_geometry(rows.radius[row], rows.position[row], rotation).w
+    own = turned(legs[np.arange(len(row)), circles.base[row]], circles.base[row])
+    return np.asarray(np.arctan2(own[:, 2], own[:, 1]))

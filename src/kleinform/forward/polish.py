@@ -35,8 +35,10 @@ Mask = NDArray[np.bool_]
 EPS = float(np.finfo(np.float64).eps)
 STEPS = 6
 FOLD_STEPS = 8
-#: Newton's last step in angle: converged, and so far that another step would change nothing.
-CONVERGED, SETTLED = 1e-10, 1e-14
+#: Newton's last step in angle when it has converged: the next one would be its square.
+CONVERGED = 1e-9
+#: Where it has not to be looked at one by one, it goes on until a step is rounding.
+SETTLED = 1e-14
 #: A mode beside a fold has converged when Newton's last step is below this, relative to its
 #: distance from the fold.
 SIDE = 0.05
@@ -76,7 +78,7 @@ def on_leg(
     Returns the angle, n_1 and n_2 (K, 2, 3), the distance from C to B of the base limb, and
     where it converged; relabelled as in `starts`.
     """
-    angle, second, directions = angle.copy(), directions[:, 1].copy(), directions.copy()
+    angle, directions = angle.copy(), directions.copy()
     distance, size = np.empty(len(row)), np.full(len(row), np.inf)
     active = np.arange(len(row))
     for _ in range(STEPS):
@@ -86,16 +88,13 @@ def on_leg(
             circles.position[own],
             circles.lengths[own],
             angle[active],
-            second[active],
+            directions[active, 1],
         )
-        size[active] = abs(step.steps).max(axis=1, initial=0.0)
-        distance[active] = step.extension
-        directions[active] = step.directions
-        moving = size[active] > SETTLED
-        active = active[moving]
+        angle[active], directions[active] = step.angle, step.directions
+        distance[active], size[active] = step.extension, abs(step.steps).max(axis=1, initial=0.0)
+        active = active[~(size[active] <= CONVERGED)]
         if not len(active):
             break
-        angle[active], second[active] = step.angle[moving], step.second[moving]
     return angle, directions, distance, size <= CONVERGED
 
 
