@@ -203,9 +203,10 @@ def _newton() -> Iterator[Entry]:
     yield from _named(_pick(leg_step.first_leg(), "span", "tangent", "by_angle", "side_part"))
     yield "leg_n_2", _pick(leg_step.first_leg(), "n2")[0]
     yield from _named(_pick(leg_step.slopes("i"), "Fti", "Fpi"))
-    names = ("det_leg", "dtheta", "dphi", "half_step", "next_leg", "next_guess")
-    names += ("next_arm", "next_span", "next_n1", "next_side", "next_n2")
-    yield from _named(_pick(leg_step.steps(), *names))
+    steps = leg_step.steps()
+    yield from _named(_pick(steps, "det_leg", "dtheta", "dphi", "half_step", "next_leg"))
+    after = ("next_guess", "next_arm", "next_span", "next_n1", "next_side", "next_n2")
+    yield from _named(_pick(steps, *after))
 
 
 def _velocity() -> Iterator[Entry]:
