@@ -12,8 +12,9 @@ import kleinform
 from benchmarks.joint_values import joint_values
 from benchmarks.solvers import SOLVERS, nearby
 from kleinform.forward.clusters import by_pencil
-from kleinform.forward.displacement import TOLERANCE, rows_of
+from kleinform.forward.displacement import rows_of
 from kleinform.homotopy import solve_cones
+from kleinform.joints import TOLERANCE
 from kleinform_kernels import uncoupled
 
 __all__ = ["table"]

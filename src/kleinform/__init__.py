@@ -1,5 +1,7 @@
 """Kinematics and singularities of the uncoupled parallel manipulator 3-RPRRC+RRPRU."""
 
+from typing import TYPE_CHECKING, Any
+
 from kleinform.errors import (
     DtypeError,
     GeneratedCodeError,
@@ -13,7 +15,6 @@ from kleinform.errors import (
     SingularPoseError,
     TrackingError,
 )
-from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.results import Jacobians, Screws, Singularity, Survey
 from kleinform.rotations import (
@@ -22,6 +23,9 @@ from kleinform.rotations import (
     rotation_from_rpy,
     rpy_from_rotation,
 )
+
+if TYPE_CHECKING:
+    from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 
 __all__ = [
     "AssemblyModes",
@@ -49,10 +53,14 @@ __all__ = [
 ]
 
 
-def __getattr__(name: str) -> str:
-    """``__version__``, read only when asked for: it costs more than importing kleinform."""
+def __getattr__(name: str) -> Any:
+    """What costs more than importing kleinform, loaded when asked for."""
     if name == "__version__":
         from importlib.metadata import version
 
         return version("kleinform")
+    if name in ("AssemblyModes", "AssemblyModesBatch"):
+        from kleinform.forward import modes
+
+        return getattr(modes, name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -10,9 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import JointRangeError
 from kleinform.screening import Errors, Screen, real_array, reject_bad_numbers
 
-__all__ = ["checked_joints", "screened_joints"]
+__all__ = ["TOLERANCE", "checked_joints", "screened_joints"]
 
 Array = NDArray[np.float64]
+
+#: Relative: joint values that were computed and rounded to float64 are off by a few roundings.
+TOLERANCE = 4.0 * float(np.finfo(np.float64).eps)
 
 
 def checked_joints(value: ArrayLike) -> Array:

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import InputError
-from kleinform.forward.displacement import TOLERANCE, all_modes, all_modes_batch, start_of
-from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 from kleinform.generated import kernels
+from kleinform.joints import TOLERANCE
 from kleinform.pose import Pose, check_pose
 from kleinform.results import Jacobians, Screws, Singularity, Survey, factors_by_name
 from kleinform.screening import (
@@ -22,6 +21,9 @@ from kleinform.screening import (
     reject_bad_numbers,
 )
 from kleinform.tracking import refuse_crossings, track
+
+if TYPE_CHECKING:
+    from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 
 __all__ = ["UncoupledManipulator"]
 
@@ -157,6 +159,8 @@ class UncoupledManipulator:
             A length is negative, or q5 is outside [−π/2, π/2].
         InputError
         """
+        from kleinform.forward.displacement import all_modes
+
         return all_modes(self.radius, joints, tolerance, certify)
 
     def forward_displacement_batch(
@@ -176,6 +180,8 @@ class UncoupledManipulator:
         -------
         AssemblyModesBatch
         """
+        from kleinform.forward.displacement import all_modes_batch
+
         return all_modes_batch(self.radius, joints, tolerance, errors)
 
     # Velocity analysis ------------------------------------------------------------------
@@ -435,7 +441,10 @@ class UncoupledManipulator:
         """
         if (start_rotation is None) == (mode is None):
             raise InputError("track: either start_rotation or mode= is needed")
-        start = start_of(self.radius, joints, mode) if start_rotation is None else start_rotation
-        positions, rotations = track(self.radius, joints, start)
+        if start_rotation is None:
+            from kleinform.forward.displacement import start_of
+
+            start_rotation = start_of(self.radius, joints, mode)
+        positions, rotations = track(self.radius, joints, start_rotation)
         refuse_crossings(self.direct_singularity(positions, rotations))
         return positions, rotations

@@ -19,7 +19,10 @@ import kleinform_kernels
 ROOT = Path(__file__).resolve().parents[2]
 KERNELS = Path(kleinform_kernels.__file__).parent
 RUNTIME = Path(kleinform.__file__).parent
-HEAVY = {"sympy", "mpmath", "scipy", "typer", "rich", "latex2mathml", "derivations", "hypothesis"}
+HEAVY = {
+    *("sympy", "mpmath", "scipy", "typer", "rich", "latex2mathml", "derivations", "hypothesis"),
+    *("flint", "matplotlib"),
+}
 
 
 def run(script: str, path: list[Path], cwd: Path) -> subprocess.CompletedProcess[str]:
@@ -38,6 +41,8 @@ def run(script: str, path: list[Path], cwd: Path) -> subprocess.CompletedProcess
         "from kleinform_kernels import uncoupled",
         "import kleinform; kleinform.UncoupledManipulator().survey([0.3, 0.2, 1.0], "
         "[[1, 0, 0], [0, 1, 0], [0, 0, 1]])",
+        "import kleinform; kleinform.UncoupledManipulator().forward_displacement("
+        "[1.0, 1.2, 0.9, 0.7, 1.26, 1.05])",
     ],
 )
 def test_numpy_is_all_that_is_loaded(statement: str, tmp_path: Path) -> None:

@@ -15,10 +15,10 @@ from kleinform.forward.found import found
 from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 from kleinform.forward.solve import INVALID, STATUS, UNDECIDED, completed, solve
 from kleinform.generated import kernels
-from kleinform.joints import screened_joints
+from kleinform.joints import TOLERANCE, screened_joints
 from kleinform.screening import Errors, lead_of, real_array
 
-__all__ = ["TOLERANCE", "all_modes", "all_modes_batch", "start_of"]
+__all__ = ["all_modes", "all_modes_batch", "start_of"]
 
 Array = NDArray[np.float64]
 
@@ -30,8 +30,6 @@ LISTED = (
     "direct_determinant",
     "multiplicity",
 )
-#: A double root of joint values in float64 is one for joint values a few roundings away.
-TOLERANCE = 4.0 * float(np.finfo(np.float64).eps)
 
 
 def all_modes(radius: Array, joints: ArrayLike, tolerance: float, certify: bool) -> AssemblyModes:

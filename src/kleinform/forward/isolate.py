@@ -30,6 +30,8 @@ LOCAL = 14
 OFFSET = 0.37
 #: Cells are halved at most so often.
 HALVINGS = 6
+#: Newton's steps from where the control polygon crosses zero: 1e-12 of a cell at the median.
+REFINEMENTS = 3
 
 
 class Zeros(NamedTuple):
@@ -102,7 +104,7 @@ def _crossing(local: Array) -> Array:
     before, after = local[take, first], local[take, first + 1]
     place = (first + before / (before - after)) / LOCAL
     powers = local @ _powers()
-    for _ in range(4):
+    for _ in range(REFINEMENTS):
         value = np.zeros(len(local))
         slope = np.zeros(len(local))
         for power in range(LOCAL, -1, -1):
