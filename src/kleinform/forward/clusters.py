@@ -219,6 +219,8 @@ def _single(row: Rows, pair: Complex) -> Modes | None:
 
 def _multiple(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
     """Three and more solutions that have merged in one point, if they have."""
+    if tolerance == 0.0:
+        return None
     middle = np.median(pairs.real, axis=0) + 1j * np.median(pairs.imag, axis=0)
     if abs(middle.imag).max() > NEAR[1]:
         return [], []

@@ -13,7 +13,7 @@ from kleinform.forward.circle import Rows
 from kleinform.forward.clusters import candidates, mirrored
 from kleinform.forward.found import found
 from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
-from kleinform.forward.solve import INVALID, STATUS, UNDECIDED, completed, solve
+from kleinform.forward.solve import INVALID, STATUS, UNDECIDED, completed, solve, unit_size
 from kleinform.generated import kernels
 from kleinform.joints import TOLERANCE, screened_joints
 from kleinform.screening import Errors, lead_of, real_array
@@ -110,12 +110,13 @@ def _certified(radius: float, modes: AssemblyModes) -> AssemblyModes:
     from kleinform.forward.certificate import certify
 
     row = rows_of(np.array([radius]), modes.joints[np.newaxis])
-    pairs = candidates(row)[0]
+    pairs = candidates(unit_size(row)[0])[0]
     proof = certify(radius, modes.joints, modes.tolerance, pairs)
     if not proof.complete:
-        pairs = np.concatenate([pairs, mirrored(row, pairs), _by_homotopy(row)])
+        unit, _ = unit_size(row)
+        pairs = np.concatenate([pairs, mirrored(unit, pairs), _by_homotopy(unit)])
         proof = certify(radius, modes.joints, modes.tolerance, pairs)
-    if proof.complete and proof.real != len(modes):
+    if proof.complete and (modes.status == STATUS[UNDECIDED] or proof.real != len(modes)):
         proven = found(np.zeros(proof.real, np.int64), proof.centers[proof.is_real].real, 1)
         solved = completed(row, proven)
         agreed = proof.chart == "directions" and solved.status[0] != UNDECIDED

@@ -1,8 +1,8 @@
 """Joint values with C in the plane of a leg, c·u_i = a.
 
 The cone of that limb is then a plane counted twice, n_i·u_i = 0, and two modes share the
-directions of the platform: they differ in e_i, in (4) a 0/0. In the half angles of the legs
-they are apart, so that the pencil finds them as two.
+directions of the platform: they differ in e_i, in (4) a 0/0. In the angles of the legs they
+are apart, so that the pencil finds them as two.
 """
 
 from __future__ import annotations
@@ -13,63 +13,75 @@ from numpy.typing import NDArray
 from kleinform.forward.cases import in_plane
 from kleinform.forward.circle import Rows
 from kleinform.forward.found import Found, together
-from kleinform.forward.pencil import PAIRS, STARTS, pairs_of
+from kleinform.forward.pencil import PAIRS, STARTS, Pairs, pairs_of
 
 __all__ = ["by_circles"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
+Integers = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-#: Half angles nearer than this are one: Newton's method leaves double ones so far apart.
-NEAR = 1e-6
-#: Newton's last step where it has converged, for double solutions too.
-CONVERGED = 1e-6
+#: Newton's steps: the eigenvalues alone are far off where C is near the circle of a leg.
+STEPS = 40
+#: Newton's last step where it has converged; angles that are nearer than SAME are one.
+CONVERGED, SAME = 1e-9, 1e-7
 
 
 def by_circles(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
     """Modes of rows with C in the planes of one or two legs, and where all pairs were found.
 
-    Angles nearer than the root of the tolerance count as merged.
+    Only simple solutions count: the tolerance is that of the other ways, and without effect.
     """
     planes = in_plane(rows)
-    # The legs of `base` and the one after it carry the half angles: both planes are among them.
+    # The legs of `base` and the one after it carry the angles: both planes are among them.
     base = np.where(planes[:, 0] & planes[:, 2], 2, np.argmax(planes, axis=1))
     solved = np.zeros(len(rows), dtype=bool)
+    known = [Distinct() for _ in range(len(rows))]
     parts = []
     for start in range(len(STARTS)):
         left = np.flatnonzero(~solved)
         if not len(left):
             break
-        pairs = pairs_of(rows[left], base[left], start)
+        pairs = pairs_of(rows[left], base[left], start, STEPS)
         for index, number in enumerate(left):
-            angles = 2.0 * np.arctan(pairs.half_tangents[index])
-            groups = _groups(angles)
-            settled = (pairs.step[index] <= CONVERGED).all()
-            if not settled or sum(map(len, groups)) != PAIRS:
-                continue
-            solved[number] = True
-            real = [group for group in groups if abs(angles[group].mean(axis=0).imag).max() <= NEAR]
-            first = np.array([group[0] for group in real], dtype=np.int64)
-            extension = np.full((len(real), 3), np.nan)
-            carried = (base[number] + np.arange(2)) % 3
-            extension[:, carried] = pairs.extension[index, first].real
-            parts.append(
-                Found(
-                    np.full(len(real), number),
-                    pairs.directions[index, first].real,
-                    np.array([len(group) for group in real], dtype=np.int64),
-                    extension,
-                )
-            )
+            known[number].add(pairs, index, start)
+            if len(known[number].angles) == PAIRS:
+                solved[number] = True
+                parts.append(known[number].modes(int(number), int(base[number])))
     return together(parts), solved
 
 
-def _groups(angles: Complex) -> list[NDArray[np.int64]]:
-    """Pairs with the same angles (32, 2), modulo a full turn."""
-    gap = angles[:, np.newaxis] - angles
-    gap -= 2.0 * np.pi * np.round(gap.real / (2.0 * np.pi))
-    near = abs(gap).max(axis=-1) <= NEAR
-    return [
-        np.flatnonzero(near[index]) for index in range(len(angles)) if not near[index, :index].any()
-    ]
+class Distinct:
+    """Different solutions of one row, in the angles of two legs."""
+
+    def __init__(self) -> None:
+        self.angles: list[Complex] = []
+        self.directions: list[Complex] = []
+        self.extension: list[Complex] = []
+
+    def add(self, pairs: Pairs, index: int, start: int) -> None:
+        """Those of one pencil that have converged and are not known yet."""
+        angles = 2.0 * np.arctan(pairs.half_tangents[index]) + np.array(STARTS[start])
+        for number in np.flatnonzero(pairs.step[index] <= CONVERGED):
+            if all(_apart(angles[number], other) > SAME for other in self.angles):
+                self.angles.append(angles[number])
+                self.directions.append(pairs.directions[index, number])
+                self.extension.append(pairs.extension[index, number])
+
+    def modes(self, row: int, base: int) -> Found:
+        """The real ones."""
+        real = [i for i, angles in enumerate(self.angles) if abs(angles.imag).max() <= SAME]
+        extension = np.full((len(real), 3), np.nan)
+        carried = (base + np.arange(2)) % 3
+        extension[:, carried] = np.array([self.extension[i].real for i in real]).reshape(-1, 2)
+        directions = np.array([self.directions[i].real for i in real]).reshape(-1, 2, 3)
+        ones = np.ones(len(real), dtype=np.int64)
+        return Found(row * ones, directions, ones, extension)
+
+
+def _apart(first: Complex, second: Complex) -> float:
+    """The distance of two sets of angles, modulo full turns."""
+    gap = first - second
+    gap = gap - 2.0 * np.pi * np.round(gap.real / (2.0 * np.pi))
+    return float(abs(gap).max())

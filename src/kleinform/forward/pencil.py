@@ -52,7 +52,7 @@ class Pairs:
     step: Array
 
 
-def pairs_of(rows: Rows, base: Integers, start: int = 0) -> Pairs:
+def pairs_of(rows: Rows, base: Integers, start: int = 0, steps: int = STEPS) -> Pairs:
     """The solutions of rows; legs ``base`` and the one after it carry the unknowns."""
     position = turned(rows.position, base)
     order = (base[:, np.newaxis] + np.arange(3)) % 3
@@ -60,9 +60,10 @@ def pairs_of(rows: Rows, base: Integers, start: int = 0) -> Pairs:
     angles = np.array(STARTS[start])
     turn = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
     tables = kernels.circles(rows.radius, position, lengths, turn)
-    angle, cone = (_scaled(table) for table in (tables.angle, tables.cone))
+    with np.errstate(all="ignore"):
+        angle, cone = (_scaled(table) for table in (tables.angle, tables.cone))
     t, s = _eigenpairs(angle, cone)
-    t, s, step = _newton(np.stack([angle, cone], axis=1), t, s)
+    t, s, step = _newton(np.stack([angle, cone], axis=1), t, s, steps)
     with np.errstate(all="ignore"):
         arms = np.stack(
             [_arms(table, half) for table, half in ((tables.first, t), (tables.second, s))], axis=2
@@ -93,7 +94,9 @@ def _eigenpairs(angle: Array, cone: Array) -> tuple[Complex, Complex]:
     companion[:, :-size, size:] = np.eye((DEGREE - 1) * size)
     blocks = np.concatenate(list(np.moveaxis(sylvester[:, :DEGREE], 1, 0)), axis=2)
     companion[:, -size:] = -_solved(sylvester[:, DEGREE], blocks)
-    values, vectors = np.linalg.eig(companion)
+    known = np.asarray(np.isfinite(companion).all(axis=(1, 2), keepdims=True))
+    values, vectors = np.linalg.eig(np.where(known, companion, 0.0))
+    values = np.where(known[:, 0], values, np.nan)
     null = vectors[:, :size]
     low = abs(null[:, 0]) >= abs(null[:, -1])
     with np.errstate(divide="ignore", invalid="ignore"):
@@ -114,11 +117,11 @@ def _solved(matrix: Array, side: Array) -> Array:
         return np.concatenate(parts)
 
 
-def _newton(tables: Array, t: Complex, s: Complex) -> tuple[Complex, Complex, Array]:
+def _newton(tables: Array, t: Complex, s: Complex, steps: int) -> tuple[Complex, Complex, Array]:
     """Newton's method on the two equations, for all pairs of all rows."""
     powers = np.arange(DEGREE + 1)
     with np.errstate(all="ignore"):
-        for _ in range(STEPS):
+        for _ in range(steps):
             left, right = t[..., np.newaxis] ** powers, s[..., np.newaxis] ** powers
             left_slope = powers * np.concatenate([left[..., :1], left[..., :-1]], axis=-1)
             right_slope = powers * np.concatenate([right[..., :1], right[..., :-1]], axis=-1)

@@ -16,7 +16,7 @@ from kleinform.forward.in_plane import by_circles
 from kleinform.forward.zero_legs import by_zero_leg
 from kleinform.generated import kernels
 
-__all__ = ["INVALID", "STATUS", "UNDECIDED", "Solved", "completed", "solve"]
+__all__ = ["INVALID", "STATUS", "UNDECIDED", "Solved", "completed", "solve", "unit_size"]
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -46,11 +46,10 @@ class Solved(NamedTuple):
 
 def solve(rows: Rows, tolerance: float) -> Solved:
     """All assembly modes of rows of joint values."""
-    scale = np.exp2(-np.frexp(_size(rows))[1])
+    scaled, scale = unit_size(rows)
     parts = []
     for start in range(0, len(rows), BLOCK):
-        block = slice(start, start + BLOCK)
-        modes, status = _block(_scaled(rows[block], scale[block]), tolerance)
+        modes, status = _block(scaled[start : start + BLOCK], tolerance)
         parts.append((modes._replace(row=modes.row + start), status))
     modes = together([part for part, _ in parts])
     status = np.concatenate([np.empty(0, np.int64), *(part for _, part in parts)])
@@ -63,29 +62,26 @@ def completed(rows: Rows, modes: Found) -> Solved:
     return _complete(rows, modes, np.full(len(rows), REGULAR))
 
 
-def _size(rows: Rows) -> Array:
+def unit_size(rows: Rows) -> tuple[Rows, Array]:
+    """The same mechanism of a size of about 1, and the scale (N,).
+
+    The scale is a power of two, so that no digit changes.
+    """
     position = np.max(abs(rows.position), axis=1)
-    size: Array = np.maximum(rows.radius, np.maximum(position, np.max(rows.lengths, axis=1)))
-    return size
-
-
-def _scaled(rows: Rows, scale: Array) -> Rows:
-    """The same mechanism in other units, by a power of two: no digit changes."""
+    size = np.maximum(rows.radius, np.maximum(position, np.max(rows.lengths, axis=1)))
+    scale: Array = np.exp2(-np.frexp(size)[1])
     joints = rows.joints.copy()
     joints[:, [0, 1, 2, 5]] *= scale[:, np.newaxis]
-    return Rows(
-        rows.radius * scale,
-        rows.position * scale[:, np.newaxis],
-        rows.lengths * scale[:, np.newaxis],
-        joints,
-    )
+    position, lengths = (entry * scale[:, np.newaxis] for entry in (rows.position, rows.lengths))
+    return Rows(rows.radius * scale, position, lengths, joints), scale
 
 
 def _block(rows: Rows, tolerance: float) -> tuple[Found, Integers]:
     infinite = on_circle(rows, tolerance).any(axis=1)
     zero = zero_leg(rows)
     pointlike = zero.any(axis=1) & ~infinite
-    flat = in_plane(rows).any(axis=1)
+    planes = in_plane(rows).sum(axis=1)
+    flat = planes > 0
     ordinary = ~(infinite | pointlike)
     status = np.select([infinite, pointlike], [INFINITE, REGULAR], UNDECIDED)
     parts = []
@@ -93,7 +89,13 @@ def _block(rows: Rows, tolerance: float) -> tuple[Found, Integers]:
         limb = int(np.argmax(zero[number]))
         directions = by_zero_leg(rows[[int(number)]], limb, tolerance)
         parts.append(found(np.full(len(directions), number), directions, 2))
-    for mask, way in ((ordinary, by_eliminant), (ordinary & ~flat, by_pencil), (flat, by_circles)):
+    ways = (
+        # Two legs with C in their planes: the eliminant of one is a square.
+        (ordinary & (planes < 2), by_eliminant),
+        (ordinary & ~flat, by_pencil),
+        (ordinary & flat, by_circles),
+    )
+    for mask, way in ways:
         chosen = np.flatnonzero(mask & (status == UNDECIDED))
         if len(chosen):
             modes, solved = way(rows[chosen], tolerance)
@@ -154,7 +156,7 @@ def _fitted(rows: Rows, modes: Found, directions: Array) -> Array:
 
 def _needs_reflection(extension: Array) -> Mask:
     """Of each pair ±n the one with more e_i > 0 than e_i < 0; of equals, the first e_i > 0."""
-    signs = np.sign(extension).astype(np.int64)
+    signs = (extension > 0.0).astype(np.int64) - (extension < 0.0)
     balance = signs.sum(axis=1)
     first = signs[np.arange(len(signs)), np.argmax(signs != 0, axis=1)]
     return np.asarray((balance < 0) | ((balance == 0) & (first < 0)))
