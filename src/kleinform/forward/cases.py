@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from kleinform.forward.circle import COSINE, SINE, Rows
 
-__all__ = ["in_plane", "in_plane_exactly", "on_circle", "reach_of", "zero_leg"]
+__all__ = ["IN_PLANE", "in_plane_exactly", "near_plane", "on_circle", "reach_of", "zero_leg"]
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -15,9 +15,11 @@ Mask = NDArray[np.bool_]
 EPS = float(np.finfo(np.float64).eps)
 #: Rounding of distances between C and the legs' planes, in eps times the reach.
 ROUNDING = 8.0
-#: C counts as in the plane of a leg below this distance, in reaches: two modes that differ in
-#: one B alone are then so close in the platform's directions that these do not tell them apart.
-IN_PLANE = 1e-3
+#: C counts as near the plane of a leg below this distance, in reaches: of two modes that differ
+#: in one B the platform's directions are then as near.
+NEAR_PLANE = 1e-3
+#: Below this one they are the same in float64.
+IN_PLANE = 1e-9
 
 
 def reach_of(rows: Rows) -> Array:
@@ -32,9 +34,9 @@ def across(rows: Rows) -> Array:
     return np.asarray(rows.radius[:, np.newaxis] - COSINE * x + SINE * y)
 
 
-def in_plane(rows: Rows) -> Mask:
-    """Limbs with C in the plane of their leg, c·u_i = a (N, 3)."""
-    return np.asarray(abs(across(rows)) <= IN_PLANE * reach_of(rows))
+def near_plane(rows: Rows, limit: float = NEAR_PLANE) -> Mask:
+    """Limbs with C near the plane of their leg, c·u_i = a (N, 3)."""
+    return np.asarray(abs(across(rows)) <= limit * reach_of(rows))
 
 
 def in_plane_exactly(rows: Rows, tolerance: float) -> Mask:

@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.cases import in_plane
+from kleinform.forward.cases import near_plane
 from kleinform.forward.circle import Circles, Rows, circles_of, fourier, turned
 from kleinform.forward.found import Found, found, nothing, some, together
 from kleinform.forward.isolate import Zeros, isolate
@@ -100,7 +100,7 @@ def _clusters(
     away = abs(
         _turn(circles.psi(row, _base_angle(rows, circles, row, near.directions)) - zeros.guess)
     )
-    flat = np.asarray(in_plane(rows).any(axis=1))
+    flat = np.asarray(near_plane(rows).any(axis=1))
     lost = near.lost | ~(away <= NEARBY) | flat[row]
     lost |= near.apart & ~(near.reach <= FARTHEST)
     # Cells side by side may lead to the same fold.

@@ -10,7 +10,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.cases import in_plane
+from kleinform.forward.cases import near_plane
 from kleinform.forward.circle import Rows
 from kleinform.forward.found import Found, together
 from kleinform.forward.pencil import PAIRS, STARTS, Pairs, pairs_of
@@ -33,7 +33,7 @@ def by_circles(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
 
     Only simple solutions count: the tolerance is that of the other ways, and without effect.
     """
-    planes = in_plane(rows)
+    planes = near_plane(rows)
     # The legs of `base` and the one after it carry the angles: both planes are among them.
     base = np.where(planes[:, 0] & planes[:, 2], 2, np.argmax(planes, axis=1))
     solved = np.zeros(len(rows), dtype=bool)

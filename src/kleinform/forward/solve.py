@@ -7,7 +7,7 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.cases import in_plane, on_circle, zero_leg
+from kleinform.forward.cases import IN_PLANE, near_plane, on_circle, zero_leg
 from kleinform.forward.circle import COSINE, SINE, Rows
 from kleinform.forward.clusters import by_pencil
 from kleinform.forward.eliminant import by_eliminant
@@ -80,8 +80,8 @@ def _block(rows: Rows, tolerance: float) -> tuple[Found, Integers]:
     infinite = on_circle(rows, tolerance).any(axis=1)
     zero = zero_leg(rows)
     pointlike = zero.any(axis=1) & ~infinite
-    planes = in_plane(rows).sum(axis=1)
-    flat = planes > 0
+    flat = near_plane(rows).any(axis=1)
+    planes = near_plane(rows, IN_PLANE).sum(axis=1)
     ordinary = ~(infinite | pointlike)
     status = np.select([infinite, pointlike], [INFINITE, REGULAR], UNDECIDED)
     parts = []
@@ -94,6 +94,7 @@ def _block(rows: Rows, tolerance: float) -> tuple[Found, Integers]:
         (ordinary & (planes < 2), by_eliminant),
         (ordinary & ~flat, by_pencil),
         (ordinary & flat, by_circles),
+        (ordinary & flat & (planes == 0), by_pencil),
     )
     for mask, way in ways:
         chosen = np.flatnonzero(mask & (status == UNDECIDED))
