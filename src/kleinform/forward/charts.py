@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from flint import acb, acb_mat, arb, fmpq
 from numpy.typing import NDArray
 
 from kleinform.forward.balls import Box
+from kleinform.forward.chords import AZIMUTHS, leg_angles
 from kleinform_kernels.uncoupled import arb_kernels
 
 __all__ = ["Circles", "Directions", "Problem"]
@@ -19,11 +20,6 @@ Complex = NDArray[np.complex128]
 Index = NDArray[np.intp]
 Balls = Sequence[acb]
 
-#: Azimuths of the axes u_i.
-AZIMUTHS = np.arange(3) * (2.0 * np.pi / 3.0)
-#: Both ends of the chord that a line through C cuts off a leg's circle are tried when both are
-#: that near to the circle's plane, relative to the sizes of the manipulator.
-NEAR_PLANE = 1e-3
 #: Angles of a leg at which its half tangent may be 0.
 STARTS = np.arange(8) * (np.pi / 4.0)
 
@@ -107,7 +103,12 @@ class Circles:
         self._turn = acb_mat([[cosine, -sine, 0], [sine, cosine, 0], [0, 0, 1]])
         position = [entry.real for entry in (acb_mat([position]) * self._turn).entries()]
         lengths = lengths[self._shift :] + lengths[: self._shift]
-        angles, self.labels = _leg_angles(radius, position, lengths, self._turned(pairs))
+        angles, self.labels = leg_angles(
+            radius,
+            np.array([float(entry) for entry in position]),
+            np.array([float(entry) for entry in lengths]),
+            self._turned(pairs),
+        )
         starts = [_start(leg) for leg in angles.T]
         self.candidates = np.tan((angles - starts) / 2.0)
         frames = [[arb(start).cos(), arb(start).sin()] for start in starts]
@@ -173,42 +174,6 @@ def _unit(vector: Sequence[acb]) -> list[acb]:
     square = _dot(vector, vector)
     root = square.sqrt() if complex(square).real >= 0.0 else acb(0, 1) * (-square).sqrt()
     return [entry / root for entry in vector]
-
-
-def _leg_angles(
-    radius: float, position: Sequence[arb], lengths: Sequence[arb], pairs: Complex
-) -> tuple[Complex, Index]:
-    """Angles of legs 1 and 2 in their circles, and the pair of directions that each is from."""
-    place = np.array([float(entry) for entry in position])
-    options = []
-    for limb in range(2):
-        axis = np.array([np.cos(AZIMUTHS[limb]), np.sin(AZIMUTHS[limb]), 0.0])
-        options.append(_chord(place - radius * axis, float(lengths[limb]), axis, pairs[:, limb]))
-    found, labels = [], []
-    for first, first_fits in zip(*options[0], strict=True):
-        for second, second_fits in zip(*options[1], strict=True):
-            good = first_fits & second_fits & np.isfinite(first) & np.isfinite(second)
-            found.append(np.stack([first, second], axis=1)[good])
-            labels.append(np.flatnonzero(good))
-    return np.concatenate(found), np.concatenate(labels)
-
-
-def _chord(center: Array, length: float, axis: Array, n: Complex) -> tuple[list[Any], list[Any]]:
-    """Angles of a leg where the line along n meets its sphere, and which are in its plane.
-
-    The better one of the two counts as in the plane, whatever its distance.
-    """
-    half = -(n @ center)
-    root = np.sqrt(half**2 - center @ center + length**2)
-    legs = [center + extension[:, np.newaxis] * n for extension in (half + root, half - root)]
-    distances = [np.abs(leg @ axis) for leg in legs]
-    sideways = np.cross([0.0, 0.0, 1.0], axis)
-    angles = [-1j * np.log((leg @ sideways + 1j * leg[:, 2]) / np.float64(length)) for leg in legs]
-    near = NEAR_PLANE * (length + np.abs(center).max())
-    fits = [
-        (distance <= other) | (distance <= near) for distance, other in (distances, distances[::-1])
-    ]
-    return angles, fits
 
 
 def _start(angles: Complex) -> float:

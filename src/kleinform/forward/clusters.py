@@ -7,10 +7,9 @@ from numpy.typing import NDArray
 
 from kleinform.forward.circle import Rows
 from kleinform.forward.found import Found, found, together
-from kleinform.forward.pencil import PAIRS, STARTS, pairs_of
+from kleinform.forward.pencil import PAIRS, pairs_of
 from kleinform.forward.polish import (
     CONVERGED,
-    CORANK_ONE,
     ROUNDING,
     folds,
     polished,
@@ -29,6 +28,8 @@ EPS = float(np.finfo(np.float64).eps)
 #: Newton's method on all pairs: simple ones need two or three steps, each step halves the
 #: distance of multiple ones.
 NEWTON, NEWTON_MULTIPLE = 4, 24
+#: Starts of the angles that are tried, each with every limb as the base.
+MOST_STARTS = 3
 #: Steps to the center of a cluster, and the turn for differences of the gradient there.
 CENTER_STEPS, TURN = 12, 1e-4
 #: Singular values of the gradient below this, relative to the first, vanish at the center.
@@ -39,6 +40,8 @@ NEAR = (1e-3, 1e-5, 1e-7)
 #: An imaginary part below this is rounding: a pair of conjugates so close is a cluster.
 REAL = 1e-8
 SAME = 1e-9
+#: Newton's method in real numbers moves a solution that is one by no more than this.
+NEARBY = 1e-6
 #: A cluster of more than two is farther from all other solutions than this times its size.
 APART = 20.0
 
@@ -109,7 +112,7 @@ def by_pencil(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
     """
     solved = np.zeros(len(rows), dtype=bool)
     parts, seen = [], set()
-    for start in range(len(STARTS)):
+    for start in range(MOST_STARTS):
         for base in range(3):
             left = np.flatnonzero(~solved)
             if not len(left):
@@ -142,7 +145,11 @@ def _modes(row: Rows, pairs: Complex, tolerance: float) -> tuple[Array, NDArray[
             return None
         directions += modes[0]
         multiplicities += modes[1]
-    return np.array(directions).reshape(-1, 2, 3), np.array(multiplicities, dtype=np.int64)
+    real = np.array(directions).reshape(-1, 2, 3)
+    apart = _distances(real.astype(np.complex128)) + np.eye(len(real))
+    if sum(multiplicities) % 2 or np.min(apart, initial=1.0) <= SAME:
+        return None
+    return real, np.array(multiplicities, dtype=np.int64)
 
 
 def _grouped(pairs: Complex, members: NDArray[np.int64], level: int) -> list[NDArray[np.int64]]:
@@ -163,7 +170,7 @@ def _grouped(pairs: Complex, members: NDArray[np.int64], level: int) -> list[NDA
 
 def _distances(pairs: Complex) -> Array:
     """Distances between pairs ±n (m, m)."""
-    flat = pairs.reshape(len(pairs), -1)
+    flat = pairs.reshape(len(pairs), 6)
     nearer = np.minimum(
         abs(flat[:, np.newaxis] - flat).max(-1), abs(flat[:, np.newaxis] + flat).max(-1)
     )
@@ -199,7 +206,7 @@ def _group(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
     index = np.zeros(1, dtype=np.int64)
     near = folds(row, index, center[np.newaxis], tolerance)
     if near.lost[0]:
-        return _couple(row, pairs, center, tolerance)
+        return _couple(row, pairs)
     if near.merged[0]:
         return [near.directions[0]], [2]
     if not near.apart[0]:
@@ -214,7 +221,8 @@ def _single(row: Rows, pair: Complex) -> Modes | None:
     directions, converged = polished(
         row, np.zeros(1, dtype=np.int64), pair.real[np.newaxis], CONVERGED
     )
-    return ([directions[0]], [1]) if converged[0] else None
+    stayed = abs(directions[0] - pair.real).max() <= NEARBY
+    return ([directions[0]], [1]) if converged[0] and stayed else None
 
 
 def _multiple(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
@@ -258,14 +266,11 @@ def _center(row: Rows, directions: Array) -> Array | None:
     return directions
 
 
-def _couple(row: Rows, pairs: Complex, center: Array, tolerance: float) -> Modes | None:
+def _couple(row: Rows, pairs: Complex) -> Modes | None:
     """Two solutions close together that are no fold: each on its own, if they are two."""
-    if abs(pairs[0] - pairs[1]).max() > SAME:
-        singles = [_single(row, pair) for pair in pairs]
-        if None in singles:
-            return None
-        return [m for s in singles if s for m in s[0]], [n for s in singles if s for n in s[1]]
-    local = kernels.newton_step(row.radius[0], row.position[0], row.lengths[0], center)
-    singular = np.linalg.svd(local.gradient, compute_uv=False)
-    regular = singular[2] > CORANK_ONE * singular[0]
-    return None if regular or tolerance == 0.0 else ([center], [2])
+    if abs(pairs[0] - pairs[1]).max() <= SAME:
+        return None
+    first, second = (_single(row, pair) for pair in pairs)
+    if first is None or second is None:
+        return None
+    return first[0] + second[0], first[1] + second[1]

@@ -31,6 +31,8 @@ SAME_MODE = 1e-9
 NEARBY = 0.01
 #: Modes on the two sides of a fold are that near to it, or it is not the fold of these modes.
 FARTHEST = 0.05
+#: Zeros nearer than this times the root of the tolerance may merge within it.
+CLOSE = 1000.0
 #: Any vector: (w·n_1)² puts modes in an order in which a mode and its copy, or that of −n,
 #: are neighbours.
 SORTER = np.array([0.36, 0.48, 0.8])
@@ -61,6 +63,7 @@ def _attempt(rows: Rows, rank: int, tolerance: float) -> tuple[Found, Mask]:
     coefficients[~good] = 0.0
     coefficients[~good, 0] = 1.0
     zeros = isolate(coefficients, np.where(good, ROUNDING * rest, 0.0) + LEAST_ROUNDING)
+    zeros = _joined(zeros, tolerance)
     clusters = np.bincount(zeros.row[~zeros.simple], minlength=len(rows))
     good &= clusters <= MOST_CLUSTERS
     zeros = Zeros._make(entry[good[zeros.row]] for entry in zeros)
@@ -74,6 +77,22 @@ def _attempt(rows: Rows, rank: int, tolerance: float) -> tuple[Found, Mask]:
     good[lost] = False
     modes = together([alone, close])
     return modes, good & _consistent(modes, len(rows))
+
+
+def _joined(zeros: Zeros, tolerance: float) -> Zeros:
+    """Simple zeros so close that the tolerance may merge them, as clusters of two.
+
+    Both get the angle between them, and lead to the same fold.
+    """
+    order = np.lexsort((zeros.guess, zeros.row))
+    zeros = Zeros._make(entry[order] for entry in zeros)
+    gap = zeros.guess[1:] - zeros.guess[:-1]
+    near = (zeros.row[1:] == zeros.row[:-1]) & zeros.simple[1:] & zeros.simple[:-1]
+    first = np.flatnonzero(near & (gap <= min(CLOSE * tolerance**0.5, FARTHEST)))
+    middle = 0.5 * (zeros.guess[first] + zeros.guess[first + 1])
+    zeros.guess[first] = zeros.guess[first + 1] = middle
+    zeros.simple[first] = zeros.simple[first + 1] = False
+    return zeros
 
 
 def _simple(

@@ -11,9 +11,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.forward.cases import near_plane
-from kleinform.forward.circle import Rows
+from kleinform.forward.chords import leg_angles
+from kleinform.forward.circle import Rows, turned
 from kleinform.forward.found import Found, together
-from kleinform.forward.pencil import PAIRS, STARTS, Pairs, pairs_of
+from kleinform.forward.pencil import PAIRS, STARTS, Pairs, pairs_of, refined, tables_of
 
 __all__ = ["by_circles"]
 
@@ -40,16 +41,34 @@ def by_circles(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
     known = [Distinct() for _ in range(len(rows))]
     parts = []
     for start in range(len(STARTS)):
-        left = np.flatnonzero(~solved)
-        if not len(left):
-            break
-        pairs = pairs_of(rows[left], base[left], start, STEPS)
-        for index, number in enumerate(left):
-            known[number].add(pairs, index, start)
-            if len(known[number].angles) == PAIRS:
-                solved[number] = True
-                parts.append(known[number].modes(int(number), int(base[number])))
+        for shift in range(3):
+            left = np.flatnonzero(~solved)
+            if not len(left):
+                break
+            pairs = pairs_of(rows[left], (base[left] + shift) % 3, start, STEPS)
+            for index, number in enumerate(left):
+                own = int(number)
+                if shift == 0:
+                    known[own].add(pairs, index, start)
+                else:
+                    directions = pairs.directions[index]
+                    known[own].add(_chords(rows[[own]], base[[own]], directions, start), 0, start)
+                if len(known[own].angles) == PAIRS:
+                    solved[own] = True
+                    parts.append(known[own].modes(own, int(base[own])))
     return together(parts), solved
+
+
+def _chords(row: Rows, base: Integers, directions: Complex, start: int) -> Pairs:
+    """Solutions from directions that another pencil found: both B of a leg that has two."""
+    three = np.concatenate([directions, -directions.sum(axis=1, keepdims=True)], axis=1)
+    relabelled = np.roll(turned(three[np.newaxis], base)[0], -base[0], axis=1)[:, :2]
+    position, lengths = turned(row.position, base)[0], np.roll(row.lengths[0], -base[0])
+    with np.errstate(all="ignore"):
+        angles, _ = leg_angles(float(row.radius[0]), position, lengths, relabelled)
+        halves = np.tan((angles - np.array(STARTS[start])) / 2.0)
+    tables = tables_of(row, base, start)
+    return refined(tables, base, halves[np.newaxis, :, 0], halves[np.newaxis, :, 1], STEPS)
 
 
 class Distinct:

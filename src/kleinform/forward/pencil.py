@@ -16,7 +16,7 @@ from kleinform.forward.circle import Rows, turned
 from kleinform.forward.polish import unlabelled
 from kleinform.generated import kernels
 
-__all__ = ["PAIRS", "Pairs", "pairs_of"]
+__all__ = ["PAIRS", "STARTS", "Pairs", "pairs_of", "refined", "tables_of"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -27,7 +27,10 @@ PAIRS = 32
 DEGREE = 4
 STEPS = 6
 #: Angles at which t = 0 and s = 0, in turn: none is special for the mechanism.
-STARTS = ((0.4, 1.1), (2.3, 0.7), (1.5, 2.9))
+STARTS = (
+    *((0.4, 1.1), (2.3, 0.7), (1.5, 2.9)),
+    *((3.6, 2.1), (5.1, 4.3), (0.9, 5.3), (4.2, 0.2), (2.8, 3.7)),
+)
 
 
 @dataclass(frozen=True)
@@ -54,17 +57,27 @@ class Pairs:
 
 def pairs_of(rows: Rows, base: Integers, start: int = 0, steps: int = STEPS) -> Pairs:
     """The solutions of rows; legs ``base`` and the one after it carry the unknowns."""
+    tables = tables_of(rows, base, start)
+    with np.errstate(all="ignore"):
+        angle, cone = (_scaled(table) for table in (tables.angle, tables.cone))
+    return refined(tables, base, *_eigenpairs(angle, cone), steps)
+
+
+def tables_of(rows: Rows, base: Integers, start: int) -> kernels.Circles:
+    """The two equations in the half-angle tangents."""
     position = turned(rows.position, base)
     order = (base[:, np.newaxis] + np.arange(3)) % 3
     lengths = np.take_along_axis(rows.lengths, order, axis=1)
     angles = np.array(STARTS[start])
     turn = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
-    tables = kernels.circles(rows.radius, position, lengths, turn)
+    return kernels.circles(rows.radius, position, lengths, turn)
+
+
+def refined(tables: kernels.Circles, base: Integers, t: Complex, s: Complex, steps: int) -> Pairs:
+    """Newton's method from half-angle tangents (N, P), and the directions that belong to them."""
     with np.errstate(all="ignore"):
-        angle, cone = (_scaled(table) for table in (tables.angle, tables.cone))
-    t, s = _eigenpairs(angle, cone)
-    t, s, step = _newton(np.stack([angle, cone], axis=1), t, s, steps)
-    with np.errstate(all="ignore"):
+        equations = np.stack([_scaled(tables.angle), _scaled(tables.cone)], axis=1)
+        t, s, step = _newton(equations, t, s, steps)
         arms = np.stack(
             [_arms(table, half) for table, half in ((tables.first, t), (tables.second, s))], axis=2
         )
@@ -74,7 +87,7 @@ def pairs_of(rows: Rows, base: Integers, start: int = 0, steps: int = STEPS) -> 
         extension[:, :, 1] *= np.where(facing.real < 0.0, 1.0, -1.0)
         relabelled = arms / extension[..., np.newaxis]
         flat = turned(relabelled, base, back=True).reshape(-1, 2, 3)
-        directions = unlabelled(flat, np.repeat(base, PAIRS)).reshape(arms.shape)
+        directions = unlabelled(flat, np.repeat(base, t.shape[1])).reshape(arms.shape)
     return Pairs(directions, np.stack([t, s], axis=2), extension, step)
 
 

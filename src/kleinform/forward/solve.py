@@ -29,6 +29,8 @@ REGULAR, MERGED, NONE, INFINITE, UNDECIDED, INVALID = range(len(STATUS))
 BLOCK = 512
 #: Closure equations (6) of a mode: their residual relative to the sum of their terms.
 RESIDUAL = 1e-12
+#: What is added to it for merged modes, in tolerances of the joint values.
+MERGED_RESIDUAL = 16.0
 
 
 class Solved(NamedTuple):
@@ -54,12 +56,12 @@ def solve(rows: Rows, tolerance: float) -> Solved:
     modes = together([part for part, _ in parts])
     status = np.concatenate([np.empty(0, np.int64), *(part for _, part in parts)])
     modes = modes._replace(extension=modes.extension / scale[modes.row, np.newaxis])
-    return _complete(rows, modes, status)
+    return _complete(rows, modes, status, tolerance)
 
 
 def completed(rows: Rows, modes: Found) -> Solved:
     """Everything that follows from modes that were found elsewhere, all of them simple."""
-    return _complete(rows, modes, np.full(len(rows), REGULAR))
+    return _complete(rows, modes, np.full(len(rows), REGULAR), 0.0)
 
 
 def unit_size(rows: Rows) -> tuple[Rows, Array]:
@@ -106,7 +108,7 @@ def _block(rows: Rows, tolerance: float) -> tuple[Found, Integers]:
     return together(parts), status
 
 
-def _complete(rows: Rows, modes: Found, status: Integers) -> Solved:
+def _complete(rows: Rows, modes: Found, status: Integers, tolerance: float) -> Solved:
     """Everything that follows from the directions of each mode."""
     row, directions = modes.row, modes.directions
     radius, position = rows.radius[row], rows.position[row]
@@ -120,7 +122,10 @@ def _complete(rows: Rows, modes: Found, status: Integers) -> Solved:
     points = position[:, np.newaxis] + extension[..., np.newaxis] * three
     squares = np.einsum("kij,kij->ki", points, points)
     terms = radius[:, np.newaxis] ** 2 + rows.lengths[row] ** 2
-    bad = ~(abs(squares - terms) <= RESIDUAL * (squares + terms)).all(axis=1)
+    # Where modes have merged the equations hold for joint values within the tolerance.
+    allowed = RESIDUAL + MERGED_RESIDUAL * tolerance * (modes.multiplicity > 1)
+    residual = abs(squares - terms) / (squares + terms)
+    bad = ~(residual <= allowed[:, np.newaxis]).all(axis=1)
     status = status.copy()
     status[row[bad]] = UNDECIDED
     status[row[(modes.multiplicity > 1) & (status[row] == REGULAR)]] = MERGED

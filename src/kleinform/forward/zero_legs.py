@@ -9,7 +9,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.cases import reach_of
+from kleinform.forward.cases import reach_of, zero_leg
 from kleinform.forward.circle import COSINE, SINE, Rows, turned
 from kleinform.forward.polish import unlabelled
 from kleinform.generated import kernels
@@ -17,6 +17,7 @@ from kleinform.generated import kernels
 __all__ = ["by_zero_leg"]
 
 Array = NDArray[np.float64]
+Mask = NDArray[np.bool_]
 
 EPS = float(np.finfo(np.float64).eps)
 SAMPLES = 8
@@ -24,9 +25,11 @@ STEPS = 12
 #: A zero z of a quartic in z = exp(i phi) may be off the unit circle by this: where the two
 #: equations agree in a double zero only, rounding moves it.
 OFF_CIRCLE = 1e-4
-#: The legs may miss their lengths by the tolerance and this many eps, times the reach.
+#: What rounding may do, in eps, beside the tolerance.
 ROUNDING = 8.0
 SAME = 1e-6
+#: u_1, u_2, u_3.
+AXES = np.stack([COSINE, -SINE, np.zeros(3)], axis=-1)
 
 
 def by_zero_leg(row: Rows, limb: int, tolerance: float) -> Array:
@@ -39,29 +42,27 @@ def by_zero_leg(row: Rows, limb: int, tolerance: float) -> Array:
     f = np.cross(own, np.eye(3)[np.argmin(abs(own))])
     f /= np.linalg.norm(f)
     frame = np.stack([own, f, np.cross(own, f)])
-    allowed = (tolerance + ROUNDING * EPS) * np.roll(reach_of(row)[0], -limb)
     modes: list[Array] = []
+    zero = np.roll(zero_leg(row)[0], -limb)
     fitted = [
         _fitted(row.radius, position, lengths, frame, start)
         for start in _starts(row.radius, position, lengths, frame)
     ]
-    for directions in [*_known(row.radius, position, lengths, frame), *fitted]:
-        missed = _missed(row.radius, position, lengths, directions)
-        near = [mode for mode in modes if np.linalg.norm(mode - directions) <= SAME]
-        if (missed <= allowed).all() and not near:
+    for relabelled in [*_known(row.radius, position, zero, frame), *fitted]:
+        back = turned(relabelled[np.newaxis], base, back=True)
+        directions = unlabelled(back, base)[0]
+        known = any(np.linalg.norm(mode - directions) <= SAME for mode in modes)
+        if not known and _closes(row, limb, directions, tolerance):
             modes.append(directions)
-    if not modes:
-        return np.empty((0, 2, 3))
-    found = turned(np.array(modes), np.full(len(modes), limb), back=True)
-    return unlabelled(found, np.full(len(modes), limb))
+    return np.array(modes).reshape(-1, 2, 3)
 
 
-def _known(radius: Array, position: Array, lengths: Array, frame: Array) -> Array:
+def _known(radius: Array, position: Array, zero: Mask, frame: Array) -> Array:
     """The two turns at which the direction of another limb of length zero is right."""
     known = [
         COSINE[limb] * np.array([1.0, 0.0, 0.0]) - SINE[limb] * np.array([0.0, 1.0, 0.0])
         for limb in (1, 2)
-        if lengths[0, limb] == 0.0
+        if zero[limb]
     ]
     arms = np.array(known).reshape(-1, 3) * radius - position
     phi: Array = np.arctan2(arms @ frame[2], arms @ frame[1])
@@ -101,8 +102,29 @@ def _fitted(radius: Array, position: Array, lengths: Array, frame: Array, phi: f
     return _turned(frame, np.array(phi))
 
 
-def _missed(radius: Array, position: Array, lengths: Array, directions: Array) -> Array:
-    """By how much each leg misses its length [m]."""
-    rotation = kernels.rotation_from_directions(directions[0], directions[1]).rotation
-    legs = kernels.inverse_displacement(radius[0], position[0], rotation).joints[:3]
-    return abs(legs - lengths[0])
+def _closes(row: Rows, limb: int, directions: Array, tolerance: float) -> bool:
+    """Whether the other two equations agree, for joint values within the tolerance.
+
+    Of the two a combination is left that the turn about n_i does not change. What a relative
+    change of the joint values by 1 does to it bounds what the tolerance, and rounding, can do.
+    """
+    local = kernels.fold(row.radius[0], row.joints[0], directions)
+    n = np.array([*directions, -directions.sum(axis=0)])[limb]
+    reach = reach_of(row)[0]
+    # Another limb of length zero closes where its B is at its A.
+    rotation = kernels.rotation_from_directions(*directions).rotation
+    legs = kernels.inverse_displacement(row.radius[0], row.position[0], rotation).joints[:3]
+    zero = zero_leg(row)[0]
+    slack = tolerance + ROUNDING * EPS
+    if not (legs[zero] <= slack * reach[zero]).all():
+        return False
+    # n_i turns with C, by about as much as C is changed over the distance of A_i.
+    distance = np.linalg.norm(row.position[0] - row.radius[0] * AXES[limb])
+    moved = np.linalg.norm(local.gradient, axis=1) * np.linalg.norm(row.position[0]) / distance
+    scale = abs(local.by_joints).sum(axis=1) + moved
+    first, second = (other for other in range(3) if other != limb)
+    slope = local.gradient @ n
+    y = np.zeros(3)
+    y[first], y[second] = slope[second], -slope[first]
+    y[zero] = 0.0
+    return bool(abs(y @ local.residual) <= slack * (abs(y) @ scale))
