@@ -46,7 +46,7 @@ def in_plane_exactly(rows: Rows, tolerance: float) -> Mask:
 
 def zero_leg(rows: Rows) -> Mask:
     """Limbs with q_i = 0 within rounding (N, 3)."""
-    return np.asarray(rows.lengths <= EPS * reach_of(rows))
+    return np.asarray(rows.lengths <= ROUNDING * EPS * reach_of(rows))
 
 
 def on_circle(rows: Rows, tolerance: float) -> Mask:

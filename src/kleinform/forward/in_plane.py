@@ -12,9 +12,10 @@ from numpy.typing import NDArray
 
 from kleinform.forward.cases import near_plane
 from kleinform.forward.chords import leg_angles
-from kleinform.forward.circle import Rows, turned
+from kleinform.forward.circle import Circles, Rows, turned
 from kleinform.forward.found import Found, together
 from kleinform.forward.pencil import PAIRS, STARTS, Pairs, pairs_of, refined, tables_of
+from kleinform.forward.polish import on_leg, relabelled, relabelled_back
 
 __all__ = ["by_circles"]
 
@@ -56,7 +57,29 @@ def by_circles(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
                 if len(known[own].angles) == PAIRS:
                     solved[own] = True
                     parts.append(known[own].modes(own, int(base[own])))
-    return together(parts), solved
+    return _polished(rows, base, together(parts)), solved
+
+
+def _polished(rows: Rows, base: Integers, modes: Found) -> Found:
+    """Newton's method in the angle of the base leg, where it converges.
+
+    Where C is in the planes of two legs it does not: F of the other one is a square.
+    """
+    row, own = modes.row, base[modes.row]
+    place = np.arange(len(row)), own
+    sign = np.sign(modes.extension[place])
+    directions = relabelled(modes.directions * sign[:, np.newaxis, np.newaxis], own)
+    order = (base[:, np.newaxis] + np.arange(3)) % 3
+    position, ones = turned(rows.position, base), np.ones(len(rows))
+    lengths = np.take_along_axis(rows.lengths, order, axis=1)
+    circles = Circles(base, position, lengths, 0.0 * ones, ones)
+    leg = abs(modes.extension[place])[:, np.newaxis] * directions[:, 0] + position[row]
+    angle = leg[:, 1:] / lengths[row, :1]
+    _, found, distance, converged = on_leg(rows, circles, row, angle, directions)
+    extension = modes.extension * sign[:, np.newaxis]
+    extension[place] = np.where(converged, distance, extension[place])
+    chosen = np.where(converged[:, np.newaxis, np.newaxis], found, directions)
+    return Found(row, relabelled_back(chosen, own), modes.multiplicity, extension)
 
 
 def _chords(row: Rows, base: Integers, directions: Complex, start: int) -> Pairs:

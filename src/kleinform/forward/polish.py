@@ -22,6 +22,7 @@ __all__ = [
     "folds",
     "on_leg",
     "polished",
+    "relabelled",
     "relabelled_back",
     "split",
     "starts",
@@ -101,6 +102,13 @@ def on_leg(
 def relabelled_back(directions: Array, base: Integers) -> Array:
     """n_1 and n_2 of the platform from those that `starts` and `on_leg` give."""
     return unlabelled(turned(directions, base, back=True), base)
+
+
+def relabelled(directions: Array, base: Integers) -> Array:
+    """The inverse of `relabelled_back`."""
+    three = np.concatenate([directions, -directions.sum(axis=1, keepdims=True)], axis=1)
+    order = (base[:, np.newaxis] + np.arange(2)) % 3
+    return turned(np.take_along_axis(three, order[:, :, np.newaxis], axis=1), base)
 
 
 def unlabelled(directions: Vectors, base: Integers) -> Vectors:
