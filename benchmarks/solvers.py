@@ -19,9 +19,9 @@ from pathlib import Path
 
 import numpy as np
 
-__all__ = ["SOLVERS", "msolve", "nearby", "phcpack"]
+__all__ = ["SOLVERS", "msolve", "msolve_binary", "nearby", "phcpack"]
 
-GRID = 2**20
+GRID = 2**10
 #: u_i, a row each, and the metric, in these coordinates.
 AXES = [
     np.array([Fraction(x, 2), Fraction(y, 2), Fraction(0)]) for x, y in ((2, 0), (-1, 1), (-1, -1))
@@ -57,7 +57,9 @@ def phcpack(joints: np.ndarray) -> np.ndarray | None:
     binary = shutil.which("phc")
     if binary is None:
         return None
+    # Its integers have 32 bits.
     text = "6\n" + "".join(f"{equation};\n" for equation in equations(joints))
+    text = re.sub(r"(\d{2,})\*", r"\1.0*", text)
     output = _run(text, lambda source, target: [binary, "-b", source, target])
     rows = []
     for solution in re.split(r"solution \d+ :", output.rpartition("THE SOLUTIONS")[2])[1:]:
