@@ -40,22 +40,22 @@ def apply(
     """
     arrays = [_as_float(name, value, core) for name, value, core in inputs]
     cores = [len(core) for _, _, core in inputs]
-    lead = np.broadcast_shapes(
-        *(array.shape[: array.ndim - core] for array, core in zip(arrays, cores, strict=True))
-    )
+    leads = {array.shape[: array.ndim - core] for array, core in zip(arrays, cores, strict=True)}
+    lead = leads.pop() if len(leads) == 1 else np.broadcast_shapes(*leads)
     parts = [
         _components_first(array, core, lead) for array, core in zip(arrays, cores, strict=True)
     ]
     # Zeros, so that entries that are zero for every pose need not be written.
     results: list[Array] = [np.zeros(core + lead) for core in outputs]
     with np.errstate(all="ignore"):
-        if not lead:
-            body(*results, *parts)
-        for slab in slabs(lead):
-            body(
-                *(result[_index(slab)] for result in results),
-                *(np.ascontiguousarray(part[_index(_fit(slab, part))]) for part in parts),
-            )
+        if math.prod(lead) <= BLOCK:
+            body(*results, *(np.asarray(part, order="C") for part in parts))
+        else:
+            for slab in slabs(lead):
+                body(
+                    *(result[_index(slab)] for result in results),
+                    *(np.ascontiguousarray(part[_index(_fit(slab, part))]) for part in parts),
+                )
     return [
         result.transpose(*range(len(core), result.ndim), *range(len(core)))
         for result, core in zip(results, outputs, strict=True)
@@ -94,7 +94,9 @@ def _as_float(name: str, value: ArrayLike, core: Shape) -> Array:
 def _components_first(array: Array, core: int, lead: Shape) -> Array:
     """The array with its mathematical axes in front and all leading axes present."""
     own = array.ndim - core
-    front = array.transpose(*range(own, array.ndim), *range(own))
+    front = array.transpose(*range(own, array.ndim), *range(own)) if core else array
+    if own == len(lead):
+        return front
     return front.reshape(front.shape[:core] + (1,) * (len(lead) - own) + front.shape[core:])
 
 

@@ -27,7 +27,6 @@ LISTED = (
     "directions",
     "platform_joints",
     "extension",
-    "direct_determinant",
     "multiplicity",
 )
 
@@ -70,6 +69,7 @@ def all_modes_batch(
     listed = ~np.isin(solved.status[solved.row], UNDECIDED)
     count = np.bincount(valid[solved.row[listed]], minlength=len(values))
     return AssemblyModesBatch(
+        radius=np.broadcast_to(radius, lead),
         joints=values,
         position=position,
         offsets=np.concatenate([[0], np.cumsum(count)]),

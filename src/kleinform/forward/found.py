@@ -40,7 +40,10 @@ def nothing() -> Found:
 
 def together(parts: list[Found]) -> Found:
     """The modes of all parts."""
-    return Found._make(map(np.concatenate, zip(nothing(), *parts, strict=True)))
+    parts = [part for part in parts if len(part.row)] or [nothing()]
+    return (
+        parts[0] if len(parts) == 1 else Found._make(map(np.concatenate, zip(*parts, strict=True)))
+    )
 
 
 def some(modes: Found, which: Mask) -> Found:

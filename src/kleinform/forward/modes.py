@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
+from functools import cached_property
 from typing import TYPE_CHECKING
 
 import numpy as np
@@ -10,6 +11,7 @@ from numpy.typing import NDArray
 
 from kleinform.errors import InputError
 from kleinform.forward.solve import STATUS
+from kleinform.generated import kernels
 from kleinform.screening import RotationLike, one_rotation
 
 if TYPE_CHECKING:
@@ -42,6 +44,8 @@ class AssemblyModes:
 
     Attributes
     ----------
+    radius : float
+        Radius a of the base circle [m].
     joints : array (6,)
     position : array (3,)
         C, the same for all modes [m].
@@ -53,7 +57,7 @@ class AssemblyModes:
     extension : array (m, 3)
         Signed distances e_i from C to B_i [m].
     direct_determinant : array (m,)
-        det J_v [m³], near 0 where modes merge.
+        det J_v [m³], near 0 where modes merge; computed when it is first asked for.
     multiplicity : int array (m,)
         How many solutions have merged in the mode, 1 if it is simple.
     tolerance : float
@@ -67,13 +71,13 @@ class AssemblyModes:
         With ``certify=True``, the proof that nothing is missing, or why there is none.
     """
 
+    radius: float
     joints: Array
     position: Array
     rotation: Array
     directions: Array
     platform_joints: Array
     extension: Array
-    direct_determinant: Array
     multiplicity: Integers
     tolerance: float
     status: str
@@ -82,6 +86,11 @@ class AssemblyModes:
 
     def __len__(self) -> int:
         return len(self.rotation)
+
+    @cached_property
+    def direct_determinant(self) -> Array:
+        singularity = kernels.direct_singularity(self.radius, self.position, self.rotation)
+        return singularity.determinant
 
     @property
     def reason(self) -> str:
@@ -127,6 +136,7 @@ class AssemblyModesBatch:
 
     Attributes
     ----------
+    radius : array (N,)
     joints : array (N, 6)
     position : array (N, 3)
     offsets : int array (N + 1,)
@@ -140,6 +150,7 @@ class AssemblyModesBatch:
         ``c·u_i = a`` (3), ``q_i = 0`` (3), ``q_6 = 0``.
     """
 
+    radius: Array
     joints: Array
     position: Array
     offsets: Integers
@@ -147,7 +158,6 @@ class AssemblyModesBatch:
     directions: Array
     platform_joints: Array
     extension: Array
-    direct_determinant: Array
     multiplicity: Integers
     tolerance: float
     status_codes: Integers
@@ -158,6 +168,14 @@ class AssemblyModesBatch:
 
     def __len__(self) -> int:
         return len(self.joints)
+
+    @cached_property
+    def direct_determinant(self) -> Array:
+        row = np.repeat(np.arange(len(self)), self.count)
+        singularity = kernels.direct_singularity(
+            self.radius[row], self.position[row], self.rotation
+        )
+        return singularity.determinant
 
     @property
     def count(self) -> Integers:
@@ -174,13 +192,13 @@ class AssemblyModesBatch:
         modes = slice(self.offsets[index], self.offsets[index + 1])
         names = np.array(self.DEGENERATE)[self.degenerate_codes[index]]
         return AssemblyModes(
+            float(self.radius[index]),
             self.joints[index],
             self.position[index],
             self.rotation[modes],
             self.directions[modes],
             self.platform_joints[modes],
             self.extension[modes],
-            self.direct_determinant[modes],
             self.multiplicity[modes],
             self.tolerance,
             STATUS[self.status_codes[index]],

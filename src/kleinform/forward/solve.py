@@ -41,7 +41,6 @@ class Solved(NamedTuple):
     directions: Array
     platform_joints: Array
     extension: Array
-    direct_determinant: Array
     multiplicity: Integers
     status: Integers
 
@@ -131,10 +130,7 @@ def _complete(rows: Rows, modes: Found, status: Integers, tolerance: float) -> S
     status[row[(modes.multiplicity > 1) & (status[row] == REGULAR)]] = MERGED
     none = np.bincount(row, minlength=len(rows)) == 0
     status[none & (status == REGULAR)] = NONE
-    determinant = kernels.direct_singularity(radius, position, rotation).determinant
-    return _sorted(
-        Solved(row, rotation, three, points, extension, determinant, modes.multiplicity, status)
-    )
+    return _sorted(Solved(row, rotation, three, points, extension, modes.multiplicity, status))
 
 
 def _fitted(rows: Rows, modes: Found, directions: Array) -> Array:
