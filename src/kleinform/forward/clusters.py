@@ -30,6 +30,10 @@ EPS = float(np.finfo(np.float64).eps)
 NEWTON, NEWTON_MULTIPLE = 4, 24
 #: Starts of the angles that are tried, each with every limb as the base.
 MOST_STARTS = 3
+#: Longer turns of Newton's method lead astray, and are not made.
+LONGEST_TURN = 0.1
+#: The fold of two solutions is that near to their middle.
+FARTHEST = 0.01
 #: Steps to the center of a cluster, and the turn for differences of the gradient there.
 CENTER_STEPS, TURN = 12, 1e-4
 #: Singular values of the gradient below this, relative to the first, vanish at the center.
@@ -49,7 +53,7 @@ APART = 20.0
 def candidates(rows: Rows) -> Complex:
     """One of each pair ±n (N, 32, 2, 3) by the pencil, polished on the closure equations."""
     directions = pairs_of(rows, np.zeros(len(rows), dtype=np.int64)).directions
-    return polished_pairs(rows, directions, NEWTON)
+    return polished_pairs(rows, directions, NEWTON)[0]
 
 
 def mirrored(row: Rows, pairs: Complex) -> Complex:
@@ -68,8 +72,8 @@ def mirrored(row: Rows, pairs: Complex) -> Complex:
     return np.array(points, dtype=np.complex128).reshape(-1, 2, 3)
 
 
-def polished_pairs(rows: Rows, directions: Complex, steps: int) -> Complex:
-    """Newton's method on rotations, for complex directions (N, P, 2, 3)."""
+def polished_pairs(rows: Rows, directions: Complex, steps: int) -> tuple[Complex, Array]:
+    """Newton's method on rotations, for complex directions (N, P, 2, 3), and its last turns."""
     cones = [
         cone[:, np.newaxis] for cone in kernels.cones(rows.radius, rows.position, rows.lengths)
     ]
@@ -90,10 +94,10 @@ def polished_pairs(rows: Rows, directions: Complex, steps: int) -> Complex:
             volume = np.einsum("...i,...i->...", g[0], sides[0])[..., np.newaxis]
             turn = -sum(entry * side for entry, side in zip(f, sides, strict=True)) / volume
             step = np.cross(turn[..., np.newaxis, :], directions)
-            good = np.einsum("...i,...i->...", abs(turn), abs(turn)) <= 0.01
-            directions = np.where(good[..., np.newaxis, np.newaxis], directions + step, directions)
-            directions = _orthonormal(directions)
-    return directions
+            size = np.max(abs(turn), axis=-1)
+            good = (size <= LONGEST_TURN)[..., np.newaxis, np.newaxis]
+            directions = _orthonormal(np.where(good, directions + step, directions))
+    return directions, size
 
 
 def _orthonormal(directions: Complex) -> Complex:
@@ -118,9 +122,11 @@ def by_pencil(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
             if not len(left):
                 break
             pairs = pairs_of(rows[left], np.full(len(left), base), start).directions
-            pairs = polished_pairs(rows[left], pairs, NEWTON_MULTIPLE)
-            for number, own in zip(left, pairs, strict=True):
-                modes = _modes(rows[[int(number)]], own, tolerance)
+            pairs, turns = polished_pairs(rows[left], pairs, NEWTON_MULTIPLE)
+            # Double solutions converge slowly, but for the last bits of a turn.
+            settled = np.asarray((turns <= NEARBY).all(axis=1))
+            for number, own, ready in zip(left, pairs, settled, strict=True):
+                modes = _modes(rows[[int(number)]], own, tolerance) if ready else None
                 if modes is None:
                     continue
                 directions, multiplicity = modes
@@ -199,13 +205,13 @@ def _group(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
     if len(pairs) == 1:
         return _single(row, pairs[0])
     if abs(mean.imag).max() > NEAR[0]:
-        return [], []
+        return None if _distances(pairs).max() <= SAME else ([], [])
     center = _orthonormal(mean.real.astype(np.complex128)).real
     if len(pairs) > 2:
         return _multiple(row, pairs, tolerance)
     index = np.zeros(1, dtype=np.int64)
     near = folds(row, index, center[np.newaxis], tolerance)
-    if near.lost[0]:
+    if near.lost[0] or abs(near.directions[0] - center).max() > FARTHEST:
         return _couple(row, pairs)
     if near.merged[0]:
         return [near.directions[0]], [2]
