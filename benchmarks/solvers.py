@@ -31,6 +31,7 @@ UNITS = np.array([1.0, np.sqrt(3.0), 1.0])
 #: From (n_1, n_2) to n_1, n_2 and n_3 = −n_1 − n_2.
 PARTS = [np.kron([row], np.eye(3, dtype=int)) for row in ((1, 0), (0, 1), (-1, -1))]
 NAMES = "abcdef"
+TRIES = 10
 
 
 def msolve(joints: np.ndarray) -> np.ndarray | None:
@@ -53,14 +54,24 @@ def msolve(joints: np.ndarray) -> np.ndarray | None:
 
 
 def phcpack(joints: np.ndarray) -> np.ndarray | None:
-    """All real (n_1, n_2) (K, 2, 3) by polyhedral homotopies, None where PHCpack is missing."""
+    """All real (n_1, n_2) (K, 2, 3) by polyhedral homotopies, None where PHCpack is missing.
+
+    Its blackbox solver stops with a range check now and then, by its random seed: so often it
+    is asked again.
+    """
     binary = shutil.which("phc")
     if binary is None:
         return None
     # Its integers have 32 bits.
     text = "6\n" + "".join(f"{equation};\n" for equation in equations(joints))
     text = re.sub(r"(\d{2,})\*", r"\1.0*", text)
-    output = _run(text, lambda source, target: [binary, "-b", source, target])
+    output = ""
+    for seed in range(1, TRIES):
+        try:
+            output = _run(text, lambda source, target: [binary, f"-0{seed}", "-b", source, target])
+            break
+        except subprocess.CalledProcessError:
+            continue
     rows = []
     for solution in re.split(r"solution \d+ :", output.rpartition("THE SOLUTIONS")[2])[1:]:
         numbers = re.findall(

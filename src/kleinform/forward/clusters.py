@@ -25,9 +25,9 @@ Complex = NDArray[np.complex128]
 Mask = NDArray[np.bool_]
 
 EPS = float(np.finfo(np.float64).eps)
-#: Newton's method on all pairs: simple ones need two or three steps, each step halves the
-#: distance of multiple ones.
-NEWTON, NEWTON_MULTIPLE = 4, 24
+#: Newton's method on all pairs: where more follows, few steps in the half angles and one on
+#: rotations will do; each step halves the distance of multiple ones.
+HALF_ANGLES, NEWTON, NEWTON_MULTIPLE = 3, 1, 24
 #: Starts of the angles that are tried, each with every limb as the base.
 MOST_STARTS = 3
 #: Longer turns of Newton's method lead astray, and are not made.
@@ -52,8 +52,8 @@ APART = 20.0
 
 def candidates(rows: Rows) -> Complex:
     """One of each pair ±n (N, 32, 2, 3) by the pencil, polished on the closure equations."""
-    directions = pairs_of(rows, np.zeros(len(rows), dtype=np.int64)).directions
-    return polished_pairs(rows, directions, NEWTON)[0]
+    base = np.zeros(len(rows), dtype=np.int64)
+    return polished_pairs(rows, pairs_of(rows, base, steps=HALF_ANGLES).directions, NEWTON)[0]
 
 
 def mirrored(row: Rows, pairs: Complex) -> Complex:
