@@ -13,6 +13,7 @@ import subprocess
 import tempfile
 from collections.abc import Callable
 from fractions import Fraction
+from functools import partial
 from importlib import metadata
 from math import lcm
 from pathlib import Path
@@ -68,7 +69,8 @@ def phcpack(joints: np.ndarray) -> np.ndarray | None:
     output = ""
     for seed in range(1, TRIES):
         try:
-            output = _run(text, lambda source, target: [binary, f"-0{seed}", "-b", source, target])
+            options = [binary, f"-0{seed}", "-b"]
+            output = _run(text, partial(_with_files, options))
             break
         except subprocess.CalledProcessError:
             continue
@@ -145,6 +147,10 @@ def _written(form: np.ndarray, value: Fraction) -> str:
     terms = [f"{int(factor * entry)}*{names[i, j]}" for i, j, entry in entries if entry]
     terms += [str(int(-factor * value))] if value else []
     return "+".join(terms).replace("+-", "-")
+
+
+def _with_files(options: list[str], source: str, target: str) -> list[str]:
+    return [*options, source, target]
 
 
 def _run(text: str, command: Callable[[str, str], list[str]]) -> str:
