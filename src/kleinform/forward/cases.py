@@ -5,7 +5,7 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.circle import COSINE, SINE, Rows
+from kleinform.forward.circle import AXES, COSINE, SINE, Rows
 
 __all__ = ["IN_PLANE", "in_plane_exactly", "near_plane", "on_circle", "reach_of", "zero_leg"]
 
@@ -52,6 +52,6 @@ def zero_leg(rows: Rows) -> Mask:
 def on_circle(rows: Rows, tolerance: float) -> Mask:
     """Limbs with C on the circle of their B: with B at C the limb holds nothing (N, 3)."""
     slack = (ROUNDING * EPS + tolerance) * reach_of(rows)
-    foot = rows.radius[:, np.newaxis, np.newaxis] * np.stack([COSINE, -SINE, np.zeros(3)], axis=-1)
+    foot = rows.radius[:, np.newaxis, np.newaxis] * AXES
     distance = np.linalg.norm(rows.position[:, np.newaxis] - foot, axis=2)
     return np.asarray((abs(across(rows)) <= slack) & (abs(distance - rows.lengths) <= slack))

@@ -34,6 +34,8 @@ NEAR_PLANE = 0.01
 #: Cosine and sine of the turn about Z that takes limb 1, 2, 3 to the place of limb 1.
 COSINE = np.array([1.0, -0.5, -0.5])
 SINE = np.array([0.0, -np.sqrt(0.75), np.sqrt(0.75)])
+#: u_1, u_2, u_3.
+AXES = np.stack([COSINE, -SINE, np.zeros(3)], axis=-1)
 
 
 @dataclass(frozen=True)
@@ -102,6 +104,12 @@ def turned(vectors: Vectors, base: Integers, back: bool = False) -> Vectors:
     return result
 
 
+def relabel(rows: Rows, base: Integers) -> tuple[Array, Array]:
+    """C (N, 3) and the leg lengths (N, 3) with the base limb in the place of limb 1."""
+    order = (base[:, np.newaxis] + np.arange(3)) % 3
+    return turned(rows.position, base), np.take_along_axis(rows.lengths, order, axis=1)
+
+
 def circles_of(rows: Rows, rank: int) -> Circles:
     """The circles of base limbs: the best of each row, the second best or the third.
 
@@ -120,11 +128,11 @@ def circles_of(rows: Rows, rank: int) -> Circles:
     score = np.where(abs(across) <= NEAR_PLANE * rows.radius, -stretch, stretch)
     base = np.argsort(score, axis=0, kind="stable")[rank]
     row = np.arange(len(rows))
-    order = (base[:, np.newaxis] + np.arange(3)) % 3
+    position, own_lengths = relabel(rows, base)
     return Circles(
         base=base,
-        position=turned(rows.position, base),
-        lengths=rows.lengths[row[:, np.newaxis], order],
+        position=position,
+        lengths=own_lengths,
         far=np.arctan2(-z, -aside[base, row]),
         stretch=stretch[base, row],
     )

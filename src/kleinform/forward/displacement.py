@@ -110,10 +110,10 @@ def _certified(radius: float, modes: AssemblyModes) -> AssemblyModes:
     from kleinform.forward.certificate import certify
 
     row = rows_of(np.array([radius]), modes.joints[np.newaxis])
-    pairs = candidates(unit_size(row)[0])[0]
+    unit, _ = unit_size(row)
+    pairs = candidates(unit)[0]
     proof = certify(radius, modes.joints, modes.tolerance, pairs)
     if not proof.complete:
-        unit, _ = unit_size(row)
         pairs = np.concatenate([pairs, mirrored(unit, pairs), _by_homotopy(unit)])
         proof = certify(radius, modes.joints, modes.tolerance, pairs)
     if proof.complete and (modes.status == STATUS[UNDECIDED] or proof.real != len(modes)):

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from kleinform.forward.cases import near_plane
 from kleinform.forward.chords import leg_angles
-from kleinform.forward.circle import Circles, Rows, turned
+from kleinform.forward.circle import Circles, Rows, relabel
 from kleinform.forward.found import Found, together
 from kleinform.forward.pencil import PAIRS, STARTS, Pairs, pairs_of, refined, tables_of
 from kleinform.forward.polish import on_leg, relabelled, relabelled_back
@@ -69,9 +69,7 @@ def _polished(rows: Rows, base: Integers, modes: Found) -> Found:
     place = np.arange(len(row)), own
     sign = np.sign(modes.extension[place])
     directions = relabelled(modes.directions * sign[:, np.newaxis, np.newaxis], own)
-    order = (base[:, np.newaxis] + np.arange(3)) % 3
-    position, ones = turned(rows.position, base), np.ones(len(rows))
-    lengths = np.take_along_axis(rows.lengths, order, axis=1)
+    (position, lengths), ones = relabel(rows, base), np.ones(len(rows))
     circles = Circles(base, position, lengths, 0.0 * ones, ones)
     leg = abs(modes.extension[place])[:, np.newaxis] * directions[:, 0] + position[row]
     angle = leg[:, 1:] / lengths[row, :1]
@@ -84,11 +82,10 @@ def _polished(rows: Rows, base: Integers, modes: Found) -> Found:
 
 def _chords(row: Rows, base: Integers, directions: Complex, start: int) -> Pairs:
     """Solutions from directions that another pencil found: both B of a leg that has two."""
-    three = np.concatenate([directions, -directions.sum(axis=1, keepdims=True)], axis=1)
-    relabelled = np.roll(turned(three[np.newaxis], base)[0], -base[0], axis=1)[:, :2]
-    position, lengths = turned(row.position, base)[0], np.roll(row.lengths[0], -base[0])
+    position, lengths = (entry[0] for entry in relabel(row, base))
+    pairs = relabelled(directions, np.repeat(base, len(directions)))
     with np.errstate(all="ignore"):
-        angles, _ = leg_angles(float(row.radius[0]), position, lengths, relabelled)
+        angles, _ = leg_angles(float(row.radius[0]), position, lengths, pairs)
         halves = np.tan((angles - np.array(STARTS[start])) / 2.0)
     tables = tables_of(row, base, start)
     return refined(tables, base, halves[np.newaxis, :, 0], halves[np.newaxis, :, 1], STEPS)

@@ -12,7 +12,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.circle import Rows, turned
+from kleinform.forward.circle import Rows, relabel, turned
 from kleinform.forward.polish import unlabelled
 from kleinform.generated import kernels
 
@@ -65,9 +65,7 @@ def pairs_of(rows: Rows, base: Integers, start: int = 0, steps: int = STEPS) -> 
 
 def tables_of(rows: Rows, base: Integers, start: int) -> kernels.Circles:
     """The two equations in the half-angle tangents."""
-    position = turned(rows.position, base)
-    order = (base[:, np.newaxis] + np.arange(3)) % 3
-    lengths = np.take_along_axis(rows.lengths, order, axis=1)
+    position, lengths = relabel(rows, base)
     angles = np.array(STARTS[start])
     turn = np.stack([np.cos(angles), np.sin(angles)], axis=-1)
     return kernels.circles(rows.radius, position, lengths, turn)

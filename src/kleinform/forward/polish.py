@@ -104,7 +104,7 @@ def relabelled_back(directions: Array, base: Integers) -> Array:
     return unlabelled(turned(directions, base, back=True), base)
 
 
-def relabelled(directions: Array, base: Integers) -> Array:
+def relabelled(directions: Vectors, base: Integers) -> Vectors:
     """The inverse of `relabelled_back`."""
     three = np.concatenate([directions, -directions.sum(axis=1, keepdims=True)], axis=1)
     order = (base[:, np.newaxis] + np.arange(2)) % 3

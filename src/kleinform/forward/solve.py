@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.forward.cases import IN_PLANE, near_plane, on_circle, zero_leg
-from kleinform.forward.circle import COSINE, SINE, Rows
+from kleinform.forward.circle import AXES, Rows
 from kleinform.forward.clusters import by_pencil
 from kleinform.forward.eliminant import by_eliminant
 from kleinform.forward.found import Found, found, some, together
@@ -140,17 +140,16 @@ def _fitted(rows: Rows, modes: Found, directions: Array) -> Array:
     is almost parallel to the plane, (4) alone leaves e_i uncertain.
     """
     row = modes.row
-    axes = np.stack([COSINE, -SINE, np.zeros(3)], axis=-1)
-    from_foot = rows.position[:, np.newaxis] - rows.radius[:, np.newaxis, np.newaxis] * axes
+    from_foot = rows.position[:, np.newaxis] - rows.radius[:, np.newaxis, np.newaxis] * AXES
     from_foot = from_foot[row]
-    incidence = np.einsum("kij,ij->ki", directions, axes)
+    incidence = np.einsum("kij,ij->ki", directions, AXES)
     with np.errstate(divide="ignore", invalid="ignore"):
-        by_plane = -np.einsum("kij,ij->ki", from_foot, axes) / incidence
+        by_plane = -np.einsum("kij,ij->ki", from_foot, AXES) / incidence
         extension: Array = np.where(np.isnan(modes.extension), by_plane, modes.extension)
         leg = from_foot + extension[..., np.newaxis] * directions
         length = np.sqrt(np.einsum("kij,kij->ki", leg, leg))
         along = np.einsum("kij,kij->ki", leg, directions) / length
-        step = incidence * np.einsum("kij,ij->ki", leg, axes)
+        step = incidence * np.einsum("kij,ij->ki", leg, AXES)
         step += along * (length - rows.lengths[row])
         step /= incidence**2 + along**2
     return extension - np.where(length > 0.0, step, 0.0)

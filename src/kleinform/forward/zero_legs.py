@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.forward.cases import reach_of, zero_leg
-from kleinform.forward.circle import COSINE, SINE, Rows, turned
+from kleinform.forward.circle import AXES, Rows, relabel, turned
 from kleinform.forward.polish import unlabelled
 from kleinform.generated import kernels
 
@@ -28,15 +28,12 @@ OFF_CIRCLE = 1e-4
 #: What rounding may do, in eps, beside the tolerance.
 ROUNDING = 8.0
 SAME = 1e-6
-#: u_1, u_2, u_3.
-AXES = np.stack([COSINE, -SINE, np.zeros(3)], axis=-1)
 
 
 def by_zero_leg(row: Rows, limb: int, tolerance: float) -> Array:
     """n_1 and n_2 (m, 2, 3) of the modes of one set of joint values with q of ``limb`` zero."""
     base = np.array([limb])
-    position = turned(row.position, base)
-    lengths = np.roll(row.lengths, -limb, axis=1)
+    position, lengths = relabel(row, base)
     own = np.array([row.radius[0], 0.0, 0.0]) - position[0]
     own /= np.linalg.norm(own)
     f = np.cross(own, np.eye(3)[np.argmin(abs(own))])
@@ -59,11 +56,7 @@ def by_zero_leg(row: Rows, limb: int, tolerance: float) -> Array:
 
 def _known(radius: Array, position: Array, zero: Mask, frame: Array) -> Array:
     """The two turns at which the direction of another limb of length zero is right."""
-    known = [
-        COSINE[limb] * np.array([1.0, 0.0, 0.0]) - SINE[limb] * np.array([0.0, 1.0, 0.0])
-        for limb in (1, 2)
-        if zero[limb]
-    ]
+    known = [AXES[limb] for limb in (1, 2) if zero[limb]]
     arms = np.array(known).reshape(-1, 3) * radius - position
     phi: Array = np.arctan2(arms @ frame[2], arms @ frame[1])
     return _turned(frame, np.concatenate([phi, phi + np.pi]))
