@@ -12,7 +12,7 @@ from zlib import crc32
 import sympy
 
 from derivations.codegen.lower import Program, lower, prove_lowering
-from derivations.codegen.printers import arb, mpmath, numpy
+from derivations.codegen.printers import arb, c, compiled, mpmath, numpy
 from derivations.codegen.printers.python import class_name
 from derivations.codegen.tree import SCHEMA, manifest
 from derivations.sources import equation_sources, numbers_in, printed_equation, source_of
@@ -27,7 +27,9 @@ NOTICE = """\
 # Generated from derivations/ by "make derive"; do not edit.
 # SPDX-License-Identifier: BSD-3-Clause
 """
-SUPPORT = Path(__file__).parent / "codegen" / "support" / "apply.py"
+SUPPORT = Path(__file__).parent / "codegen" / "support"
+#: What is compiled besides the kernels.
+C_SUPPORT = ("simd.h", "table.h", "extension.c")
 
 
 @dataclass(frozen=True)
@@ -105,27 +107,61 @@ def _prove() -> tuple[dict[str, Any], int]:
 
 
 def _package(programs: tuple[Program, ...]) -> dict[str, str]:
-    """The Python files."""
-    names = [program.kernel.name for program in programs]
-    exported = sorted([*names, *map(class_name, names)])
-    listed = "\n".join(f"    {name}," for name in exported)
-    quoted = "\n".join(f'    "{name}",' for name in exported)
+    """The files that run."""
+    listed = list(programs)
     modules = {
-        "_apply.py": SUPPORT.read_text(encoding="utf-8"),
-        "uncoupled/__init__.py": (
-            '"""Kernels of the uncoupled manipulator 3-RPRRC+RRPRU, on NumPy arrays."""\n\n'
-            f"from kleinform_kernels.uncoupled.numpy_kernels import (\n{listed}\n)\n\n"
-            f"__all__ = [\n{quoted}\n]\n"
-        ),
-        "uncoupled/numpy_kernels.py": numpy.print_module(list(programs)),
-        "uncoupled/mpmath_kernels.py": mpmath.print_module(list(programs)),
-        "uncoupled/arb_kernels.py": arb.print_module(list(programs)),
+        "_apply.py": _support("apply.py"),
+        "_backend.py": _support("backend.py"),
+        "_threads.py": _support("threads.py"),
+        "uncoupled/__init__.py": _choice(listed),
+        "uncoupled/numpy_kernels.py": numpy.print_module(listed),
+        "uncoupled/compiled_kernels.py": compiled.print_module(listed),
+        "uncoupled/gufuncs.py": compiled.print_gufuncs(listed),
+        "uncoupled/_compiled.pyi": compiled.print_stub(listed),
+        "uncoupled/mpmath_kernels.py": mpmath.print_module(listed),
+        "uncoupled/arb_kernels.py": arb.print_module(listed),
     }
     files = {name: NOTICE + text for name, text in modules.items()}
-    return files | {"__init__.py": NOTICE + _root(files), "py.typed": ""}
+    checksum, sources = _sources(listed)
+    return {**files, **sources, "__init__.py": NOTICE + _root(files, checksum), "py.typed": ""}
 
 
-def _root(files: dict[str, str]) -> str:
+def _choice(programs: list[Program]) -> str:
+    """The subpackage's own module: the kernels of the backend that is in use."""
+    names = [program.kernel.name for program in programs]
+    exported = sorted([*names, *map(class_name, names)])
+
+    def imported(module: str, names: list[str]) -> str:
+        entries = "\n".join(f"        {name}," for name in sorted(names))
+        return f"    from kleinform_kernels.uncoupled.{module} import (\n{entries}\n    )"
+
+    classes = "\n".join(f"    {class_name(name)}," for name in sorted(names, key=class_name))
+    quoted = "\n".join(f'    "{name}",' for name in ["BACKEND", *exported])
+    return (
+        '"""Kernels of the uncoupled manipulator 3-RPRRC+RRPRU, on arrays."""\n\n'
+        "from kleinform_kernels._backend import BACKEND\n"
+        f"from kleinform_kernels.uncoupled.numpy_kernels import (\n{classes}\n)\n\n"
+        f'if BACKEND == "compiled":\n{imported("compiled_kernels", names)}\n'
+        f"else:\n{imported('numpy_kernels', names)}\n\n"
+        f"__all__ = [\n{quoted}\n]\n"
+    )
+
+
+def _sources(programs: list[Program]) -> tuple[int, dict[str, str]]:
+    """The C files, and a checksum that the extension has if it was compiled from them."""
+    sources = {name: c.LICENSE + _support(name) for name in C_SUPPORT}
+    sources["kernels.h"] = c.print_header(programs)
+    sources["kernels.c"] = c.print_source(programs)
+    checksum = crc32("".join(sources.values()).encode())
+    sources["lanes.c"] = c.print_lanes(programs, checksum)
+    return checksum, {f"uncoupled/{name}": text for name, text in sources.items()}
+
+
+def _support(name: str) -> str:
+    return (SUPPORT / name).read_text(encoding="utf-8")
+
+
+def _root(files: dict[str, str], compiled: int) -> str:
     """The package's own module: what the runtime checks before it uses the kernels."""
     sums = [f'    "{name}": {crc32(text.encode())},' for name, text in files.items()]
     return "\n".join(
@@ -138,6 +174,8 @@ def _root(files: dict[str, str]) -> str:
             "CHECKSUMS = {",
             *sums,
             "}",
+            "#: CRC-32 of the C sources: an extension that was compiled from others is not used.",
+            f"COMPILED = {compiled}",
             "",
         ]
     )

@@ -147,6 +147,10 @@ def velocity_kernels() -> list[Kernel]:
         Output(f"limb{limb}", matrix(f"screws{limb}", 6, 6), "1, m", f"screws of limb {limb}")
         for limb in (*LIMBS, 4)
     )
+    both = (
+        Output("J_v", matrix("J_v", 6, 6), "1, m", "forward Jacobian"),
+        Output("J_q", matrix("J_q", 6, 6), "1, m", "inverse Jacobian"),
+    )
     return [
         Kernel(
             "limb_geometry",
@@ -174,11 +178,15 @@ def velocity_kernels() -> list[Kernel]:
             "(17)-(19), (22)-(24)",
             with_scales,
             (*POSE, HEADING),
-            (
-                Output("J_v", matrix("J_v", 6, 6), "1, m", "forward Jacobian"),
-                Output("J_q", matrix("J_q", 6, 6), "1, m", "inverse Jacobian"),
-                *checks,
-            ),
+            (*both, *checks),
+        ),
+        Kernel(
+            "joints_and_jacobians",
+            "Joint values and both Jacobians in one pass, J_vᵀ Δ V = J_q q̇.",
+            "(10), (11), (17)-(19), (22)-(24)",
+            with_scales,
+            (*POSE, HEADING),
+            (JOINTS, *both),
         ),
         Kernel(
             "inverse_velocity",

@@ -6,9 +6,16 @@
 SCHEMA = 1
 #: CRC-32 of each module, so that no edited kernel runs unnoticed.
 CHECKSUMS = {
-    "_apply.py": 187388923,
-    "uncoupled/__init__.py": 1231556797,
-    "uncoupled/numpy_kernels.py": 1587106956,
-    "uncoupled/mpmath_kernels.py": 1036715596,
-    "uncoupled/arb_kernels.py": 2885271091,
+    "_apply.py": 3488897422,
+    "_backend.py": 1583379200,
+    "_threads.py": 2731398948,
+    "uncoupled/__init__.py": 1983591608,
+    "uncoupled/numpy_kernels.py": 85757756,
+    "uncoupled/compiled_kernels.py": 353495374,
+    "uncoupled/gufuncs.py": 426334046,
+    "uncoupled/_compiled.pyi": 168279017,
+    "uncoupled/mpmath_kernels.py": 92675862,
+    "uncoupled/arb_kernels.py": 2070791960,
 }
+#: CRC-32 of the C sources: an extension that was compiled from others is not used.
+COMPILED = 349736096

@@ -1,8 +1,8 @@
 # Generated from derivations/ by "make derive"; do not edit.
 # SPDX-License-Identifier: BSD-3-Clause
-"""Run a kernel's straight-line body over arrays of poses, block by block.
+"""Run a kernel over arrays of poses: on NumPy block by block, or compiled.
 
-Blocks keep the body's temporaries in cache, and a block's inputs are gathered once, since
+On NumPy, blocks keep the body's temporaries in cache, and a block's inputs are gathered once, since
 the components of a pose lie apart in memory. Inputs are broadcast by the body itself, so
 that none is ever copied to the shape of the batch.
 """
@@ -15,6 +15,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
+from kleinform_kernels._threads import in_parts
+
 if TYPE_CHECKING:
     from numpy.typing import ArrayLike, NDArray
 
@@ -23,6 +25,8 @@ if TYPE_CHECKING:
 Shape = tuple[int, ...]
 #: Poses in a block.
 BLOCK = 8192
+#: Poses that a thread takes at once from compiled kernels: some milliseconds.
+PART = 32768
 
 
 def apply(
@@ -40,10 +44,8 @@ def apply(
         The trailing axes of an input are not its mathematical shape, or the leading axes
         of the inputs do not broadcast.
     """
-    arrays = [_as_float(name, value, core) for name, value, core in inputs]
+    arrays, lead = _broadcast(inputs)
     cores = [len(core) for _, _, core in inputs]
-    leads = {array.shape[: array.ndim - core] for array, core in zip(arrays, cores, strict=True)}
-    lead = leads.pop() if len(leads) == 1 else np.broadcast_shapes(*leads)
     parts = [
         _components_first(array, core, lead) for array, core in zip(arrays, cores, strict=True)
     ]
@@ -62,6 +64,52 @@ def apply(
         result.transpose(*range(len(core), result.ndim), *range(len(core)))
         for result, core in zip(results, outputs, strict=True)
     ]
+
+
+def apply_compiled(
+    kernel: np.ufunc,
+    inputs: tuple[tuple[str, ArrayLike, Shape], ...],
+    outputs: tuple[Shape, ...],
+) -> list[Array]:
+    """The same with a compiled kernel, on several threads if the batch is large."""
+    arrays, lead = _broadcast(inputs)
+    cores = [len(core) for _, _, core in inputs]
+    results: list[Array] = [np.empty(lead + core) for core in outputs]
+    poses = math.prod(lead)
+    if poses <= PART:
+        kernel(*arrays, out=tuple(results))
+        return results
+    axis = lead.index(max(lead))
+
+    def run(start: int, stop: int) -> None:
+        slab = slice(start, stop)
+        kernel(
+            *(
+                _part(array, axis - len(lead) - core, slab)
+                for array, core in zip(arrays, cores, strict=True)
+            ),
+            out=tuple(result[(slice(None),) * axis + (slab,)] for result in results),
+        )
+
+    in_parts(run, lead[axis], -(-lead[axis] * PART // poses))
+    return results
+
+
+def _part(array: Array, axis: int, slab: slice) -> Array:
+    """A slab of an array along an axis counted from its end, unless it is broadcast there."""
+    if array.ndim < -axis or array.shape[axis] == 1:
+        return array
+    return array[(..., slab) + (slice(None),) * (-1 - axis)]
+
+
+def _broadcast(inputs: tuple[tuple[str, ArrayLike, Shape], ...]) -> tuple[list[Array], Shape]:
+    """The inputs as arrays of float64, and their common leading axes."""
+    arrays = [_as_float(name, value, core) for name, value, core in inputs]
+    leads = {
+        array.shape[: array.ndim - len(core)]
+        for array, (_, _, core) in zip(arrays, inputs, strict=True)
+    }
+    return arrays, leads.pop() if len(leads) == 1 else np.broadcast_shapes(*leads)
 
 
 def slabs(lead: Shape) -> Iterator[tuple[slice, ...]]:

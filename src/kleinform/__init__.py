@@ -2,6 +2,7 @@
 
 from typing import TYPE_CHECKING, Any
 
+from kleinform.backend import Backend, backend, set_threads, threads
 from kleinform.errors import (
     DtypeError,
     GeneratedCodeError,
@@ -30,6 +31,7 @@ if TYPE_CHECKING:
 __all__ = [
     "AssemblyModes",
     "AssemblyModesBatch",
+    "Backend",
     "DtypeError",
     "GeneratedCodeError",
     "InputError",
@@ -47,9 +49,12 @@ __all__ = [
     "Survey",
     "TrackingError",
     "UncoupledManipulator",
+    "backend",
     "rotation_from_directions",
     "rotation_from_rpy",
     "rpy_from_rotation",
+    "set_threads",
+    "threads",
 ]
 
 

@@ -11,6 +11,7 @@ import sys
 from collections.abc import Iterator
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import kleinform
@@ -26,9 +27,13 @@ HEAVY = {
 
 
 def run(script: str, path: list[Path], cwd: Path) -> subprocess.CompletedProcess[str]:
-    """A script in a fresh interpreter that finds packages at ``path`` first."""
-    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, path))}
-    command = [sys.executable, "-c", script]
+    """A script in a fresh interpreter that finds packages at ``path`` first.
+
+    Without site, as an editable installation would be found before ``path``.
+    """
+    places = [*path, Path(np.__file__).resolve().parents[1]]
+    environment = {**os.environ, "PYTHONPATH": os.pathsep.join(map(str, places))}
+    command = [sys.executable, "-S", "-c", script]
     return subprocess.run(
         command, env=environment, cwd=cwd, text=True, capture_output=True, check=False
     )

@@ -60,6 +60,11 @@ def print_module(programs: list[Program]) -> str:
 
 
 def _public(program: Program) -> str:
+    return public(program, "", "apply", f"_{program.kernel.name}")
+
+
+def public(program: Program, first: str, apply: str, body: str) -> str:
+    """The public function: ``first`` is tried before ``apply`` runs ``body``."""
     kernel = program.kernel
     arguments = ", ".join(f"{entry.name}: ArrayLike" for entry in kernel.inputs)
     result = class_name(kernel.name)
@@ -69,9 +74,9 @@ def _public(program: Program) -> str:
         [
             f"def {kernel.name}({arguments}) -> {result}:",
             docstring(program, "array"),
-            f"    return {result}(",
-            "        *apply(",
-            f"            _{kernel.name},",
+            f"    return {first}{result}(",
+            f"        *{apply}(",
+            f"            {body},",
             "            (",
             *(f"                {line}" for line in inputs),
             "            ),",

@@ -2870,6 +2870,221 @@ def jacobians(a: Nested, c: Nested, R: Nested, heading: Nested) -> Jacobians:
     )
 
 
+class JointsAndJacobians(NamedTuple):
+    """What `joints_and_jacobians` returns."""
+
+    joints: Nested
+    J_v: Nested
+    J_q: Nested
+
+
+def joints_and_jacobians(a: Nested, c: Nested, R: Nested, heading: Nested) -> JointsAndJacobians:
+    """Joint values and both Jacobians in one pass, J_vᵀ Δ V = J_q q̇.
+
+    Equations (10), (11), (17)-(19), (22)-(24) of the paper; base frame.
+    286 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    heading : nested list (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+
+    Returns
+    -------
+    joints : nested list (..., 6)
+        q1 ... q6 [m, rad]
+    J_v : nested list (..., 6, 6)
+        forward Jacobian [1, m]
+    J_q : nested list (..., 6, 6)
+        inverse Jacobian [1, m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    heading = _exact(heading)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    # elevation of the central limb (11) [rad]
+    q5 = atan2(c_z, r)
+    # azimuth of the central limb, measured from the X axis (11) [rad]
+    q4 = atan2(c_y, c_x)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = absolute(n1_x)
+    # length of the outer limb (10) [m]
+    q1 = l1/x14
+    x15 = SQRT3_2*c_y
+    x16 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x15 + x16
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x17 = arb(1)/2*c_y
+    x18 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - arb(1)/2*n2_y) + p2*(-x17 - x18)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    x19 = absolute(p2)
+    # length of the outer limb (10) [m]
+    q2 = l2/x19
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x15 + x16
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(-x17 + x18)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x20 = absolute(p3)
+    # length of the outer limb (10) [m]
+    q3 = l3/x20
+    x21 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x21
+    axis_y = -heading_1*x21
+    # lower revolute, actuated by q4 Section IV [1, m]
+    screw41_ox = -c_y
+    # second revolute, actuated by q5 Section IV [1, m]
+    screw42_ox = axis_y*c_z
+    screw42_oy = -axis_x*c_z
+    screw42_oz = axis_x*c_y - axis_y*c_x
+    # universal joint, second axis Section IV [1, m]
+    screw46_x = x1
+    screw46_y = x3
+    screw46_z = x5
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x22 = 1.0/rho1
+    # unit vector from B_i to D_i (14) [1]
+    s1_x = x22*(m1_x*tau1 + nu_x*sigma1)
+    s1_y = x22*(m1_y*tau1 + nu_y*sigma1)
+    s1_z = x22*(m1_z*tau1 + nu_z*sigma1)
+    x23 = e1*x22
+    # moment of S_i about C (14) [m]
+    so1_x = x23*(-m1_x*sigma1 + nu_x*tau1)
+    so1_y = x23*(-m1_y*sigma1 + nu_y*tau1)
+    so1_z = x23*(-m1_z*sigma1 + nu_z*tau1)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -l1*x14*x22
+    x24 = arb(1)/2*nu_y
+    x25 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x24 - x25)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x26 = 1.0/rho2
+    # unit vector from B_i to D_i (14) [1]
+    s2_x = x26*(m2_x*tau2 + nu_x*sigma2)
+    s2_y = x26*(m2_y*tau2 + nu_y*sigma2)
+    s2_z = x26*(m2_z*tau2 + nu_z*sigma2)
+    x27 = e2*x26
+    # moment of S_i about C (14) [m]
+    so2_x = x27*(-m2_x*sigma2 + nu_x*tau2)
+    so2_y = x27*(-m2_y*sigma2 + nu_y*tau2)
+    so2_z = x27*(-m2_z*sigma2 + nu_z*tau2)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -l2*x19*x26
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x24 + x25)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x28 = 1.0/rho3
+    # unit vector from B_i to D_i (14) [1]
+    s3_x = x28*(m3_x*tau3 + nu_x*sigma3)
+    s3_y = x28*(m3_y*tau3 + nu_y*sigma3)
+    s3_z = x28*(m3_z*tau3 + nu_z*sigma3)
+    x29 = e3*x28
+    # moment of S_i about C (14) [m]
+    so3_x = x29*(-m3_x*sigma3 + nu_x*tau3)
+    so3_y = x29*(-m3_y*sigma3 + nu_y*tau3)
+    so3_z = x29*(-m3_z*sigma3 + nu_z*tau3)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -l3*x20*x28
+    # inverse Jacobian matrix (19), (22)-(24) [1, m]
+    J_q_54 = c_x*n1_y + n1_x*screw41_ox
+    J_q_55 = n1_x*screw42_ox + n1_y*screw42_oy + n1_z*screw42_oz
+    J_q_56 = lambda_x*n1_x + lambda_y*n1_y + lambda_z*n1_z
+    J_q_64 = c_x*screw46_y + screw41_ox*screw46_x
+    J_q_65 = screw42_ox*screw46_x + screw42_oy*screw46_y + screw42_oz*screw46_z
+    J_q_66 = lambda_x*screw46_x + lambda_y*screw46_y + lambda_z*screw46_z
+    return JointsAndJacobians(
+        [q1, q2, q3, q4, q5, q6],
+        [[s1_x, s2_x, s3_x, lambda_x, n1_x, screw46_x], [s1_y, s2_y, s3_y, lambda_y, n1_y, screw46_y], [s1_z, s2_z, s3_z, lambda_z, n1_z, screw46_z], [so1_x, so2_x, so3_x, 0.0, 0.0, 0.0], [so1_y, so2_y, so3_y, 0.0, 0.0, 0.0], [so1_z, so2_z, so3_z, 0.0, 0.0, 0.0]],
+        [[limb1, 0.0, 0.0, 0.0, 0.0, 0.0], [0.0, limb2, 0.0, 0.0, 0.0, 0.0], [0.0, 0.0, limb3, 0.0, 0.0, 0.0], [0.0, 0.0, 0.0, 0.0, 0.0, 1.0], [0.0, 0.0, 0.0, J_q_54, J_q_55, J_q_56], [0.0, 0.0, 0.0, J_q_64, J_q_65, J_q_66]],
+    )
+
+
 class InverseVelocity(NamedTuple):
     """What `inverse_velocity` returns."""
 

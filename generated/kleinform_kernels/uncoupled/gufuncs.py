@@ -1,0 +1,66 @@
+# Generated from derivations/ by "make derive"; do not edit.
+# SPDX-License-Identifier: BSD-3-Clause
+"""The compiled kernels as NumPy's generalised ufuncs, one core each.
+
+They take what every ufunc takes: ``out=``, ``where=`` excepted, ``axes=``, strides, broadcasting
+and casting; they give a tuple in the order of the kernel's results. Only where
+``kleinform_kernels.uncoupled.BACKEND`` is ``"compiled"``.
+"""
+
+from kleinform_kernels.uncoupled._compiled import (
+    arms,
+    central_forward,
+    central_inverse,
+    circles,
+    closure,
+    cones,
+    direct_singularity,
+    eliminant,
+    fold,
+    forward_velocity,
+    half_turn,
+    inverse_displacement,
+    inverse_singularity,
+    inverse_velocity,
+    jacobians,
+    joints_and_jacobians,
+    leg_step,
+    limb_geometry,
+    newton_step,
+    rotation_defect,
+    rotation_from_directions,
+    rotation_from_rpy,
+    rpy_from_rotation,
+    screws,
+    survey,
+    turned_directions,
+)
+
+__all__ = [
+    "arms",
+    "central_forward",
+    "central_inverse",
+    "circles",
+    "closure",
+    "cones",
+    "direct_singularity",
+    "eliminant",
+    "fold",
+    "forward_velocity",
+    "half_turn",
+    "inverse_displacement",
+    "inverse_singularity",
+    "inverse_velocity",
+    "jacobians",
+    "joints_and_jacobians",
+    "leg_step",
+    "limb_geometry",
+    "newton_step",
+    "rotation_defect",
+    "rotation_from_directions",
+    "rotation_from_rpy",
+    "rpy_from_rotation",
+    "screws",
+    "survey",
+    "turned_directions",
+]
