@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,8 +10,15 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import InputError
 from kleinform.generated import kernels
 from kleinform.joints import TOLERANCE
-from kleinform.pose import Pose, check_pose
-from kleinform.results import Jacobians, Screws, Singularity, Survey, factors_by_name
+from kleinform.pose import check_pose
+from kleinform.results import (
+    DirectSingularity,
+    InverseSingularity,
+    Jacobians,
+    Screws,
+    Singularity,
+    Survey,
+)
 from kleinform.screening import (
     SMALLEST,
     Errors,
@@ -349,8 +356,8 @@ class UncoupledManipulator:
         """
         pose = check_pose(self, position, rotation, errors)
         result = kernels.inverse_singularity(pose.radius, pose.position, pose.rotation)
-        names = ("limb", "central", "wrist")
-        return self._singularity(pose, result, names)
+        pose.screen.blank(*result)
+        return InverseSingularity(result, self.rounding, pose.screen)
 
     def direct_singularity(
         self, position: ArrayLike, rotation: RotationLike, *, errors: Errors = "raise"
@@ -369,7 +376,8 @@ class UncoupledManipulator:
         """
         pose = check_pose(self, position, rotation, errors)
         result = kernels.direct_singularity(pose.radius, pose.position, pose.rotation)
-        return self._singularity(pose, result, ("extension", "orientation", "wrist"))
+        pose.screen.blank(*result)
+        return DirectSingularity(result, self.rounding, pose.screen)
 
     def survey(
         self, position: ArrayLike, rotation: RotationLike, *, errors: Errors = "raise"
@@ -385,27 +393,7 @@ class UncoupledManipulator:
         pose = check_pose(self, position, rotation, errors)
         result = kernels.survey(pose.radius, pose.position, pose.rotation)
         pose.screen.blank(*result)
-        names = ("limb", "central", "wrist", "extension", "orientation")
-        return Survey(
-            joints=result.joints,
-            extension=result.extension,
-            inverse_determinant=result.inverse_determinant[()],
-            direct_determinant=result.direct_determinant[()],
-            factors=factors_by_name(result, names, ""),
-            scales=factors_by_name(result, names, "_scale"),
-            rounding=self.rounding,
-            valid=pose.screen.valid,
-        )
-
-    def _singularity(self, pose: Pose, result: Any, names: tuple[str, ...]) -> Singularity:
-        pose.screen.blank(*result)
-        return Singularity(
-            determinant=result.determinant[()],
-            factors=factors_by_name(result, names, ""),
-            scales=factors_by_name(result, names, "_scale"),
-            rounding=self.rounding,
-            valid=pose.screen.valid,
-        )
+        return Survey(result, self.rounding, pose.screen)
 
     # Motion -----------------------------------------------------------------------------
 

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Protocol
+from typing import Any, Protocol, cast
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import InputError, SingularPoseError
 from kleinform.generated import kernels
-from kleinform.results import is_zero
+from kleinform.quick import none_zero, sized, sound
+from kleinform.results import EPS, is_zero
 from kleinform.screening import (
+    LARGEST,
+    ROTATION_TOLERANCE,
     SMALLEST,
     Errors,
     RotationLike,
@@ -42,7 +45,7 @@ class Geometry(Protocol):
     def rounding(self) -> float: ...
 
 
-@dataclass(frozen=True)
+@dataclass(slots=True)
 class Pose:
     """Checked arguments; every method refuses the rows in which something vanishes."""
 
@@ -53,15 +56,22 @@ class Pose:
     azimuth: Array | None
     screen: Screen
 
-    def reject_zero(self, rule: str, value: Array, scale: Array | float) -> None:
+    def reject_zero(self, rule: str, value: Array, scale: Array) -> None:
         """Refuse the poses at which a value is zero within its rounding."""
-        self.screen.reject(is_zero(value, scale, self.rounding), SingularPoseError, rule, value)
+        if not none_zero(value, scale, self.rounding * EPS):
+            zero = is_zero(value, scale, self.rounding)
+            self.screen.reject(zero, SingularPoseError, rule, value)
 
     def reject_zeros(self, rules: tuple[str, ...], values: Array, scales: Array | float) -> None:
-        """The same for an array (..., 3) of one value a limb, each with its rule."""
-        zero = is_zero(values, scales, self.rounding)
-        if not zero.any():
+        """The same for values (..., 3), one a limb, each with its rule.
+
+        There is a scale for each value (..., 3), one for each pose (...), or one for all.
+        """
+        if none_zero(values, scales, self.rounding * EPS):
             return
+        scales = np.asarray(scales)
+        shaped = scales if scales.ndim in (0, values.ndim) else scales[..., np.newaxis]
+        zero = is_zero(values, shaped, self.rounding)
         for i, rule in enumerate(rules):
             self.screen.reject(zero[..., i], SingularPoseError, rule, values[..., i])
 
@@ -72,7 +82,7 @@ class Pose:
     def reject_legs(self, result: Any) -> None:
         """Refuse ``n_i·u_i = 0`` and ``q_i = 0``."""
         self.reject_incidence(result.incidence)
-        self.reject_zeros(NO_LEG, result.scaled_legs, result.reach[..., np.newaxis])
+        self.reject_zeros(NO_LEG, result.scaled_legs, result.reach)
 
     def on_axis(self, radial: Array, length: Array) -> Mask:
         """Where C lies on the Z axis within rounding."""
@@ -80,6 +90,8 @@ class Pose:
 
     def reject_axis(self, radial: Array, length: Array) -> None:
         """Refuse C at O, and C on the Z axis unless an azimuth is given."""
+        if none_zero(radial, length, self.rounding * EPS):
+            return
         self.screen.reject(
             length == 0.0, SingularPoseError, "q6 = 0, the central limb has no direction"
         )
@@ -123,27 +135,48 @@ def check_pose(
     **others: Array,
 ) -> Pose:
     """Check a pose and what comes with it; ``others`` are arrays ``(..., n)`` by name."""
-    place = real_array("position", position, (3,))
-    turn, tolerance = rotation_array("rotation", rotation)
+    quickly = sound(position, rotation, SMALLEST, LARGEST, ROTATION_TOLERANCE)
+    if quickly:
+        place, turn = cast(Array, position), cast(Array, rotation)
+    else:
+        place = real_array("position", position, (3,))
+        turn, tolerance = rotation_array("rotation", rotation)
     angle = None if azimuth is None else real_array("azimuth", azimuth, ())
-    shapes = {
-        "radius": robot.radius.shape,
-        "position": place.shape[:-1],
-        "rotation": turn.shape[:-2],
-        **({} if angle is None else {"azimuth": angle.shape}),
-        **{name: array.shape[:-1] for name, array in others.items()},
-    }
-    screen = Screen(lead_of(**shapes), errors)
+    lead = _lead(robot.radius, place, turn, angle, others)
+    screen = Screen(lead, errors)
     if angle is not None:
         # Only the position depends on the azimuth: it carries the azimuth's axes from here on.
         lead = np.broadcast_shapes(place.shape[:-1], angle.shape)
         place = np.broadcast_to(place, (*lead, 3))
-    reject_bad_numbers(screen, "position", place, 1)
-    reject_underflow(screen, place)
-    reject_bad_rotations(screen, "rotation", turn, tolerance)
+    if not quickly:
+        reject_bad_numbers(screen, "position", place, 1)
+        reject_underflow(screen, place)
+        reject_bad_rotations(screen, "rotation", turn, tolerance)
     if angle is not None:
         reject_bad_numbers(screen, "azimuth", angle, 0)
     for name, array in others.items():
-        reject_bad_numbers(screen, name, array, 1)
-    screen.settle()
+        if not sized(array, 0.0, LARGEST):
+            reject_bad_numbers(screen, name, array, 1)
+    if screen.broken:
+        screen.settle()
     return Pose(robot.radius, robot.rounding, place, turn, angle, screen)
+
+
+def _lead(
+    radius: Array, position: Array, rotation: Array, azimuth: Array | None, others: dict[str, Array]
+) -> tuple[int, ...]:
+    """The common leading axes of checked arguments."""
+    axes = position.ndim - 1 + rotation.ndim - 2 + radius.ndim
+    for array in others.values():
+        axes += array.ndim - 1
+    if axes == 0 and azimuth is None:
+        return ()
+    shapes = {
+        "radius": radius.shape,
+        "position": position.shape[:-1],
+        "rotation": rotation.shape[:-2],
+        **{name: array.shape[:-1] for name, array in others.items()},
+    }
+    if azimuth is not None:
+        shapes["azimuth"] = azimuth.shape
+    return lead_of(shapes)

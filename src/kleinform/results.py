@@ -4,14 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Any, NamedTuple
+from functools import cached_property
+from typing import Any, ClassVar, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.errors import InputError
+from kleinform.screening import Screen
 
-__all__ = ["Jacobians", "Screws", "Singularity", "Survey", "factors_by_name"]
+__all__ = [
+    "DirectSingularity",
+    "InverseSingularity",
+    "Jacobians",
+    "Screws",
+    "Singularity",
+    "Survey",
+    "is_zero",
+]
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
@@ -55,13 +65,28 @@ def is_zero(value: Array, scale: Array | float, rounding: float) -> Mask:
     return (abs(value) <= rounding * EPS * np.asarray(scale)) & np.isfinite(value)
 
 
+@dataclass(eq=False, repr=False)
 class _Factors:
     """Named factors, their scales, and which of them vanish."""
 
-    factors: Mapping[str, Array]
-    scales: Mapping[str, Array]
+    result: Any
     rounding: float
-    valid: Mask
+    screen: Screen
+
+    #: Which of a kernel's results are factors.
+    NAMES: ClassVar[tuple[str, ...]]
+
+    @cached_property
+    def factors(self) -> Mapping[str, Array]:
+        return self._named("")
+
+    @cached_property
+    def scales(self) -> Mapping[str, Array]:
+        return self._named("_scale")
+
+    @property
+    def valid(self) -> Mask:
+        return self.screen.valid
 
     def vanishing(self) -> dict[str, Mask]:
         """For each factor, where it counts as zero: ``|f| <= rounding eps scale``."""
@@ -74,8 +99,21 @@ class _Factors:
         """For each factor, where it is 0/0 in a valid row: a limb or the wrist has no form."""
         return {name: np.isnan(value) & self.valid for name, value in self.factors.items()}
 
+    def __repr__(self) -> str:
+        return f"{type(self).__name__}({', '.join(self.factors)})"
 
-@dataclass(frozen=True, eq=False)
+    def _named(self, suffix: str) -> Mapping[str, Array]:
+        """Factors by name; those of limbs become ``name_1``, ``name_2``, ``name_3``."""
+        named = {}
+        for name in self.NAMES:
+            value = getattr(self.result, name + suffix)
+            if name in ("limb", "extension"):
+                named.update({f"{name}_{i + 1}": value[..., i][()] for i in range(3)})
+            else:
+                named[name] = value[()]
+        return named
+
+
 class Singularity(_Factors):
     """A determinant and the factors that can make it vanish.
 
@@ -91,14 +129,24 @@ class Singularity(_Factors):
         False in rows that ``errors="nan"`` blanked.
     """
 
-    determinant: Array
-    factors: Mapping[str, Array]
-    scales: Mapping[str, Array]
-    rounding: float
-    valid: Mask
+    @property
+    def determinant(self) -> Array:
+        value: Array = self.result.determinant[()]
+        return value
 
 
-@dataclass(frozen=True, eq=False)
+class InverseSingularity(Singularity):
+    """det J_q and its factors."""
+
+    NAMES = ("limb", "central", "wrist")
+
+
+class DirectSingularity(Singularity):
+    """det J_v and its factors."""
+
+    NAMES = ("extension", "orientation", "wrist")
+
+
 class Survey(_Factors):
     """Displacement and singularity analysis of poses in one pass.
 
@@ -114,23 +162,24 @@ class Survey(_Factors):
         As in `Singularity`; the factors of both determinants.
     """
 
-    joints: Array
-    extension: Array
-    inverse_determinant: Array
-    direct_determinant: Array
-    factors: Mapping[str, Array]
-    scales: Mapping[str, Array]
-    rounding: float
-    valid: Mask
+    NAMES = ("limb", "central", "wrist", "extension", "orientation")
 
+    @property
+    def joints(self) -> Array:
+        value: Array = self.result.joints
+        return value
 
-def factors_by_name(result: Any, names: tuple[str, ...], suffix: str) -> Mapping[str, Array]:
-    """A kernel's factors by name; those of limbs become ``name_1``, ``name_2``, ``name_3``."""
-    named = {}
-    for name in names:
-        value = getattr(result, name + suffix)
-        if name in ("limb", "extension"):
-            named.update({f"{name}_{i + 1}": value[..., i][()] for i in range(3)})
-        else:
-            named[name] = value[()]
-    return named
+    @property
+    def extension(self) -> Array:
+        value: Array = self.result.extension
+        return value
+
+    @property
+    def inverse_determinant(self) -> Array:
+        value: Array = self.result.inverse_determinant[()]
+        return value
+
+    @property
+    def direct_determinant(self) -> Array:
+        value: Array = self.result.direct_determinant[()]
+        return value

@@ -59,7 +59,7 @@ def rotation_from_rpy(
         name: real_array(name, value, ())
         for name, value in (("roll", roll), ("pitch", pitch), ("yaw", yaw))
     }
-    screen = Screen(lead_of(**{name: angle.shape for name, angle in angles.items()}), errors)
+    screen = Screen(lead_of({name: angle.shape for name, angle in angles.items()}), errors)
     for name, angle in angles.items():
         reject_bad_numbers(screen, name, angle, 0)
     rotation = kernels.rotation_from_rpy(**angles).rotation
@@ -118,7 +118,7 @@ def rotation_from_directions(n1: ArrayLike, n2: ArrayLike, *, errors: Errors = "
         The directions are not unit vectors 120° apart, to within 1e-9 (2e-6 if float32).
     """
     first, second = real_array("n1", n1, (3,)), real_array("n2", n2, (3,))
-    screen = Screen(lead_of(n1=first.shape[:-1], n2=second.shape[:-1]), errors)
+    screen = Screen(lead_of({"n1": first.shape[:-1], "n2": second.shape[:-1]}), errors)
     reject_bad_numbers(screen, "n1", first, 1)
     reject_bad_numbers(screen, "n2", second, 1)
     gaps = (

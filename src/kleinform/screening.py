@@ -21,6 +21,8 @@ Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 Errors = Literal["raise", "nan"]
 
+#: The dtype that is taken as it is.
+FLOAT64 = np.dtype(np.float64)
 #: Largest defect of a rotation matrix: the root of its squared defects of orthonormality.
 #: float32 matrices are judged by what float32 can hold.
 ROTATION_TOLERANCE = 1e-9
@@ -51,6 +53,8 @@ def real_array(name: str, value: ArrayLike, core: tuple[int, ...]) -> Array:
     ShapeError
         It is ragged, or its trailing axes are not ``core``.
     """
+    if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape[-len(core) :] == core:
+        return value
     if isinstance(value, np.ma.MaskedArray):
         raise DtypeError(f"{name}: a plain array is needed, a masked array arrived: fill it")
     try:
@@ -129,16 +133,19 @@ class Screen:
         return valid
 
 
-def lead_of(**shapes: tuple[int, ...]) -> tuple[int, ...]:
-    """The common leading axes of arguments, given the leading axes of each.
+def lead_of(shapes: dict[str, tuple[int, ...]]) -> tuple[int, ...]:
+    """The common leading axes of arguments, given the leading axes of each by its name.
 
     Raises
     ------
     ShapeError
         They do not broadcast.
     """
+    leads = set(shapes.values())
+    if len(leads) == 1:
+        return leads.pop()
     try:
-        return np.broadcast_shapes(*shapes.values())
+        return np.broadcast_shapes(*leads)
     except ValueError:
         listed = ", ".join(f"{name} {shape}" for name, shape in shapes.items())
         raise ShapeError(f"leading axes do not broadcast: {listed}") from None

@@ -13,6 +13,8 @@ from pathlib import Path
 import pytest
 
 ROOT = Path(__file__).resolve().parents[2]
+#: Modules that are compiled into the wheel.
+EXTENSIONS = {"kleinform_kernels/uncoupled/_compiled"}
 SCRIPT = """
 import json, sys
 from importlib import metadata
@@ -32,6 +34,7 @@ positions, _ = robot.track(joints[np.newaxis], turn)
 latex = files("kleinform_kernels") / "uncoupled" / "latex"
 print(json.dumps({
     "version": [kleinform.__version__, metadata.version("kleinform")],
+    "backend": kleinform.backend().name,
     "joints": joints.tolist(),
     "kernel": kernel.joints.tolist(),
     "position": positions[0].tolist(),
@@ -48,11 +51,11 @@ def clean_environment() -> dict[str, str]:
     return {name: value for name, value in os.environ.items() if not name.startswith("PYTHON")}
 
 
-def run(*command: object, cwd: Path) -> str:
+def run(*command: object, cwd: Path, **more: str) -> str:
     result = subprocess.run(
         list(map(str, command)),
         cwd=cwd,
-        env=clean_environment(),
+        env={**clean_environment(), **more},
         text=True,
         capture_output=True,
         check=False,
@@ -61,32 +64,61 @@ def run(*command: object, cwd: Path) -> str:
     return result.stdout
 
 
+def built(place: Path, **more: str) -> Path:
+    """A wheel of the checkout."""
+    command = [sys.executable, "-m", "pip", "wheel", ROOT, "--no-deps", "--quiet", "-w", place]
+    run(*command, cwd=place, **more)
+    (wheel,) = place.glob("kleinform-*.whl")
+    return wheel
+
+
 @pytest.fixture(scope="module")
 def wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    place = tmp_path_factory.mktemp("dist")
-    run(sys.executable, "-m", "pip", "wheel", ROOT, "--no-deps", "--quiet", "-w", place, cwd=place)
-    (built,) = place.glob("kleinform-*.whl")
-    return built
+    return built(tmp_path_factory.mktemp("dist"))
 
 
 @pytest.fixture(scope="module")
-def names(wheel: Path) -> set[str]:
+def pure_wheel(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """The wheel of a machine on which there is no compiler."""
+    return built(tmp_path_factory.mktemp("pure"), CC=str(ROOT / "no-compiler"))
+
+
+def names_in(wheel: Path) -> set[str]:
     with zipfile.ZipFile(wheel) as archive:
         return set(archive.namelist())
 
 
-def test_everything_is_in_the_wheel(names: set[str]) -> None:
-    """All of both packages, and nothing else."""
-    expected = set()
+@pytest.fixture(scope="module")
+def names(wheel: Path) -> set[str]:
+    return names_in(wheel)
+
+
+def source_files() -> set[str]:
+    """All of both packages."""
+    found = set()
     for source in (ROOT / "src", ROOT / "generated"):
         files = [path for path in source.rglob("*") if path.is_file()]
-        expected |= {path.relative_to(source).as_posix() for path in files}
-    expected = {name for name in expected if "__pycache__" not in name}
-    packaged = {name for name in names if ".dist-info/" not in name}
-    assert packaged == expected
-    assert {"kleinform/py.typed", "kleinform_kernels/py.typed"} <= packaged
-    assert "kleinform_kernels/manifest.json" in packaged
-    assert any(name.startswith("kleinform_kernels/uncoupled/latex/") for name in packaged)
+        found |= {path.relative_to(source).as_posix() for path in files}
+    return {name for name in found if "__pycache__" not in name}
+
+
+def packaged(names: set[str]) -> set[str]:
+    return {name for name in names if ".dist-info/" not in name}
+
+
+def test_everything_is_in_the_wheel(names: set[str]) -> None:
+    """All of both packages, the extension modules, and nothing else."""
+    compiled = packaged(names) - source_files()
+    assert source_files() <= packaged(names)
+    assert {name.split(".")[0] for name in compiled} == EXTENSIONS
+    assert {"kleinform/py.typed", "kleinform_kernels/py.typed"} <= names
+    assert "kleinform_kernels/manifest.json" in names
+    assert any(name.startswith("kleinform_kernels/uncoupled/latex/") for name in names)
+
+
+def test_without_a_compiler_the_wheel_is_pure(pure_wheel: Path) -> None:
+    assert packaged(names_in(pure_wheel)) == source_files()
+    assert pure_wheel.name.endswith("-py3-none-any.whl")
 
 
 def test_the_manifest_lists_the_wheels_kernels(wheel: Path, names: set[str]) -> None:
@@ -94,7 +126,8 @@ def test_the_manifest_lists_the_wheels_kernels(wheel: Path, names: set[str]) -> 
     with zipfile.ZipFile(wheel) as archive:
         manifest = json.loads(archive.read(prefix + "manifest.json"))
     packaged = {name.removeprefix(prefix) for name in names if name.startswith(prefix)}
-    assert set(manifest["files"]) == packaged - {"manifest.json"}
+    modules = {name for name in packaged if name.endswith((".so", ".pyd"))}
+    assert set(manifest["files"]) == packaged - {"manifest.json"} - modules
 
 
 def test_metadata(wheel: Path) -> None:
@@ -104,10 +137,16 @@ def test_metadata(wheel: Path) -> None:
     needed = [line for line in lines if line.startswith("Requires-Dist") and "extra" not in line]
     assert needed == ["Requires-Dist: numpy>=2.0"]
     assert "License-Expression: BSD-3-Clause" in lines
-    assert wheel.name.endswith("-py3-none-any.whl")
+    assert f"cp{sys.version_info.major}{sys.version_info.minor}" in wheel.name
 
 
-def test_in_a_clean_environment(wheel: Path, tmp_path: Path) -> None:
+@pytest.mark.parametrize(
+    ("kind", "backend"), [("wheel", "compiled"), ("pure_wheel", "numpy")], ids=["compiled", "pure"]
+)
+def test_in_a_clean_environment(
+    kind: str, backend: str, request: pytest.FixtureRequest, tmp_path: Path
+) -> None:
+    wheel = request.getfixturevalue(kind)
     place = tmp_path / "environment"
     venv.create(place, with_pip=True)
     python = place / ("Scripts" if os.name == "nt" else "bin") / "python"
@@ -116,6 +155,7 @@ def test_in_a_clean_environment(wheel: Path, tmp_path: Path) -> None:
     assert set(found["installed"]) <= {"kleinform", "numpy", "pip", "setuptools"}
     assert not found["sympy"]
     assert len(set(found["version"])) == 1
+    assert found["backend"] == backend
     assert all(str(place) in origin for origin in found["from"])
     assert found["latex"] > 10
     # The paper's Section VI: joint values of its reference pose.

@@ -9,7 +9,6 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import NamedTuple
 
 from sympy import Abs, Basic, Expr, atan2, cos, sin
 
@@ -98,13 +97,6 @@ class CExpressions(PythonExpressions):
         return repr(int(expr.p) / int(expr.q))
 
 
-class Place(NamedTuple):
-    """An entry of an argument, and its index there."""
-
-    index: int
-    entry: Expr
-
-
 def print_header(programs: list[Program]) -> str:
     """``kernels.h``."""
     declared = [f"{_comment(program)}\n{_prototype(program)};" for program in programs]
@@ -136,6 +128,7 @@ def _comment(program: Program) -> str:
     """What a function does, and each argument with shape, words and unit."""
     kernel = program.kernel
     lines = [kernel.words, f"Equations {kernel.numbers} of the paper; base frame."]
+    named: list[tuple[str, str, Field]]
     named = [("in", entry.name, entry) for entry in kernel.inputs]
     named += [("out", _result_name(entry, kernel), entry) for entry in kernel.outputs]
     for title, name, field in named:
@@ -176,7 +169,7 @@ def _body(program: Program) -> str:
     lines += ["    " + ",\n    ".join(arguments) + ")", "{"]
     used = _used(program)
     for field in kernel.inputs:
-        places = [place for place in _places(field.entries) if place.entry in used]
+        places = [(index, entry) for index, entry in _places(field.entries) if entry in used]
         if not places:
             lines.append(f"    (void)in_{field.name};")
         for index, entry in places:
@@ -197,9 +190,10 @@ def _used(program: Program) -> set[Basic]:
     return read.union(*(value.free_symbols for _, value in program.outputs))
 
 
-def _places(value: Basic) -> Iterator[Place]:
+def _places(value: Basic) -> Iterator[tuple[int, Expr]]:
+    """Each entry with its index in the array."""
     for index, (_, entry) in enumerate(entries(value)):
-        yield Place(index, entry)
+        yield index, entry
 
 
 def _at(index: int) -> str:
@@ -255,7 +249,9 @@ def _row(program: Program) -> str:
     inputs = ",".join(_core(field) for field in kernel.inputs)
     outputs = ",".join(_core(field) for field in kernel.outputs)
     fields = (*kernel.inputs, *kernel.outputs)
-    shapes = ", ".join("{" + ", ".join(map(str, (*field.shape, 0, 0)[:2])) + "}" for field in fields)
+    shapes = ", ".join(
+        "{" + ", ".join(map(str, (*field.shape, 0, 0)[:2])) + "}" for field in fields
+    )
     name = kernel.name
     return (
         f'    {{"{name}", "{inputs}->{outputs}",\n'

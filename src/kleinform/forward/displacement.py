@@ -51,7 +51,7 @@ def all_modes_batch(
     values, screen = screened_joints(joints, errors)
     if values.ndim != 2:
         raise ShapeError(f"joints: shape (N, 6) is needed, {values.shape} arrived")
-    lead = lead_of(joints=values.shape[:-1], radius=radius.shape)
+    lead = lead_of({"joints": values.shape[:-1], "radius": radius.shape})
     if lead != values.shape[:-1]:
         raise ShapeError(f"radius: shape () or (N,) is needed, {radius.shape} arrived")
     screen.settle()
