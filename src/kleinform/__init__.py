@@ -4,6 +4,7 @@ from typing import TYPE_CHECKING, Any
 
 from kleinform.backend import Backend, backend, set_threads, threads
 from kleinform.errors import (
+    BackendError,
     DtypeError,
     GeneratedCodeError,
     InputError,
@@ -32,6 +33,7 @@ __all__ = [
     "AssemblyModes",
     "AssemblyModesBatch",
     "Backend",
+    "BackendError",
     "DtypeError",
     "GeneratedCodeError",
     "InputError",

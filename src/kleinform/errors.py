@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 __all__ = [
+    "BackendError",
     "DtypeError",
     "GeneratedCodeError",
     "InputError",
@@ -78,6 +79,10 @@ class TrackingError(KleinformError):
     def __init__(self, message: str, sample: int = 0) -> None:
         super().__init__(message)
         self.sample = sample
+
+
+class BackendError(KleinformError, ImportError):
+    """The backend that KLEINFORM_BACKEND asks for is not there."""
 
 
 class GeneratedCodeError(KleinformError):

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
-from typing import Any, Protocol, cast
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -135,10 +135,10 @@ def check_pose(
     **others: Array,
 ) -> Pose:
     """Check a pose and what comes with it; ``others`` are arrays ``(..., n)`` by name."""
+    place: Any = position
+    turn: Any = rotation
     quickly = sound(position, rotation, SMALLEST, LARGEST, ROTATION_TOLERANCE)
-    if quickly:
-        place, turn = cast(Array, position), cast(Array, rotation)
-    else:
+    if not quickly:
         place = real_array("position", position, (3,))
         turn, tolerance = rotation_array("rotation", rotation)
     angle = None if azimuth is None else real_array("azimuth", azimuth, ())

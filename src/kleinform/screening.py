@@ -85,6 +85,8 @@ class Screen:
     ``errors="nan"`` the rows are remembered and blanked in the results.
     """
 
+    __slots__ = ("broken", "errors", "lead")
+
     def __init__(self, lead: tuple[int, ...], errors: Errors) -> None:
         if errors not in ("raise", "nan"):
             raise InputError(f'errors: "raise" or "nan" is needed, {errors!r} arrived')
@@ -118,8 +120,8 @@ class Screen:
 
     def blank(self, *results: Array) -> None:
         """Settle, or write NaN into the rows of results that were refused."""
-        self.settle()
         if self.broken:
+            self.settle()
             rejected = ~self.valid
             for result in results:
                 result[rejected] = np.nan

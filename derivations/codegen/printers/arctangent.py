@@ -16,14 +16,14 @@ TERMS = 11
 ALLOWED = 6e-18
 
 TEXT = """\
-/* The angle of (x, y) in [-pi, pi] [rad], within 2 ulp; signed zeros, inf and NaN as in libm.
+/* The angle of (x, y) in [-pi, pi] [rad], within 3 ulp; signed zeros, inf and NaN as in libm.
    Sums of |x| and |y| must not overflow. */
 KLEINFORM_BODY double angle_of(double y, double x)
 {{
     const double across = fabs(x), along = fabs(y);
     const double low = along < across ? along : across;
     const double high = along < across ? across : along;
-    const int steep = low > {tangent} * high;
+    const int steep = (low > {tangent} * high) | ((low == high) & (high > 0.0));
     const double difference = low == high ? 0.0 : low - high;
     const double over = steep ? difference : low;
     const double under = steep ? low + high : (high == 0.0 ? 1.0 : high);

@@ -33,7 +33,7 @@ def set_threads(count: int | None) -> None:
         It is not a positive integer.
     """
     global _wanted
-    if count is not None and (not isinstance(count, int) or count < 1):
+    if count is not None and (type(count) is not int or count < 1):
         raise ValueError(f"threads: a positive integer is needed, {count!r} arrived")
     _wanted = count
     _forget()
