@@ -3,6 +3,7 @@ PYTHON ?= python3
 VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
+PEERS := $(VENV)/.peers
 SOURCES := pyproject.toml CMakeLists.txt $(shell find src generated -name '*.c' -o -name '*.h')
 
 .PHONY: help derive check-generated latex paper test lint bench census clean
@@ -14,11 +15,12 @@ $(READY): $(SOURCES)
 	@$(PYTHON) -c 'import sys; sys.exit("Python 3.11 or newer is needed, this is %d.%d" % sys.version_info[:2] if sys.version_info < (3, 11) else 0)'
 	$(PYTHON) -m venv $(VENV)
 	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev]'
-	@$(BIN)/python -c 'import kleinform; print(kleinform.backend())'
+	-@$(BIN)/python -c 'import kleinform; print(kleinform.backend())'
 	@touch $@
 
 derive: $(READY) ## derive, prove and regenerate generated/
 	@$(BIN)/python -m derivations derive
+	@$(MAKE) --no-print-directory $(READY)
 
 check-generated: $(READY) ## regenerate aside and compare byte by byte
 	@$(BIN)/python -m derivations check
@@ -29,7 +31,8 @@ latex: derive ## the formulas as .tex files, one document and one HTML page
 paper: $(READY) ## the paper's numbers beside the computed ones, and docs/audit.md
 	@$(BIN)/python -m kleinform.paper docs/audit.md
 
-test: $(READY) check-generated ## all tests, the freshness of generated/ and the wheel
+test: $(READY) check-generated ## all tests on both backends, the freshness of generated/ and the wheel
+	@KLEINFORM_BACKEND=numpy $(BIN)/python -m pytest tests/kernels tests/runtime --deselect tests/runtime/test_wheel.py
 	@$(BIN)/python -m pytest
 
 lint: $(READY) ## ruff and mypy
@@ -37,7 +40,11 @@ lint: $(READY) ## ruff and mypy
 	$(BIN)/ruff format --check .
 	$(BIN)/mypy
 
-bench: $(READY) ## measure against peers, side by side
+$(PEERS): $(READY)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev,bench]'
+	@touch $@
+
+bench: $(PEERS) ## measure against peers, side by side; the tables go to benchmarks/results.md
 	@$(BIN)/python -m benchmarks
 
 census: $(READY) ## how many assembly modes joint values have, and docs/census.svg

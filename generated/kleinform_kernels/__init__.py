@@ -8,7 +8,7 @@ SCHEMA = 1
 CHECKSUMS = {
     "_apply.py": 3488897422,
     "_backend.py": 1583379200,
-    "_threads.py": 2685523779,
+    "_threads.py": 3178368034,
     "uncoupled/__init__.py": 1983591608,
     "uncoupled/numpy_kernels.py": 85757756,
     "uncoupled/compiled_kernels.py": 353495374,

@@ -11,7 +11,6 @@ from __future__ import annotations
 
 import os
 import sys
-import threading
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
@@ -47,7 +46,7 @@ def threads() -> int:
     ValueError
         KLEINFORM_THREADS is not a positive integer.
     """
-    if threading.current_thread() is not threading.main_thread() or _is_worker():
+    if _is_parallel():
         return 1
     return _wanted if _wanted is not None else _default()
 
@@ -75,7 +74,12 @@ def _default() -> int:
     return len(os.sched_getaffinity(0)) if sys.platform == "linux" else os.cpu_count() or 1
 
 
-def _is_worker() -> bool:
+def _is_parallel() -> bool:
+    """Whether the caller is a thread or a process among others."""
+    import threading
+
+    if threading.current_thread() is not threading.main_thread():
+        return True
     processes = sys.modules.get("multiprocessing")
     return processes is not None and processes.parent_process() is not None
 
