@@ -1,33 +1,81 @@
-"""The benchmark runs, and its peer computes the same as the kernels it is measured against."""
+"""The benchmarks run, and peers compute the same as the kernels they are measured against."""
 
 from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
 
 import numpy as np
 import pytest
 
-from benchmarks import __main__ as bench
-from benchmarks import census, modes
-from benchmarks.peers import lambdified
+from benchmarks import census, kernels, modes
+from benchmarks.peers import PACKAGES, check, lambdified
+from benchmarks.report import machine, saved
 from kleinform_kernels import uncoupled
 
-
-@pytest.mark.parametrize("wanted", [bench.SURVEY, bench.VELOCITY], ids=["survey", "velocity"])
-def test_the_peer_returns_what_the_kernels_return(wanted) -> None:
-    c, rotation = bench.poses(50)
-    peer = iter(lambdified(wanted)(1.0, c, rotation))
-    for kernel, outputs in wanted.items():
-        heading = (c[:, :2],) if kernel == "jacobians" else ()
-        result = getattr(uncoupled, kernel)(1.0, c, rotation, *heading)
-        for name in outputs:
-            np.testing.assert_allclose(next(peer), getattr(result, name), rtol=1e-9, atol=1e-12)
-    assert next(peer, None) is None
+ROOT = Path(__file__).parents[1]
+#: A small run of all tables.
+RUN = """
+from benchmarks import kernels
+kernels.POSES, kernels.CALLS, kernels.MANY, kernels.MEMORY, kernels.ROUNDS = 20, 3, 40, 0, 1
+kernels.table()
+"""
 
 
-def test_the_table_has_a_row_for_each_who(monkeypatch, capsys) -> None:
-    monkeypatch.setattr(bench, "POSES", 20)
-    bench.throughput()
-    rows = capsys.readouterr().out.splitlines()[2:]
-    assert [row[14:32].strip() for row in rows] == ["lambdify", "kernel", "validated call"] * 2
+@pytest.fixture(scope="module")
+def tables() -> list[str]:
+    """What it prints, in a process of its own: after JAX has started, a fork is a warning."""
+    command = [sys.executable, "-c", RUN]
+    printed = subprocess.run(command, cwd=ROOT, capture_output=True, text=True, check=False)
+    assert printed.returncode == 0, printed.stderr
+    return printed.stdout.splitlines()
+
+
+@pytest.mark.parametrize("kernel", ["survey", "joints_and_jacobians", "inverse_displacement"])
+def test_lambdify_returns_what_the_kernel_returns(kernel) -> None:
+    c, rotation = kernels.poses(50)
+    heading = (c[:, :2],) if kernel == "joints_and_jacobians" else ()
+    expected = getattr(uncoupled, kernel)(1.0, c, rotation, *heading)
+    check("lambdify", lambdified(kernel)(1.0, c, rotation), expected)
+
+
+@pytest.mark.parametrize(
+    ("wrong", "message"),
+    [([1.0, 2.0 + 1e-9], "differ by 5e-10"), ([1.0, np.nan], "nan"), ([[1.0, 2.0]], "shape")],
+)
+def test_a_peer_that_differs_is_found(wrong, message) -> None:
+    with pytest.raises(ArithmeticError, match=message):
+        check("peer", [np.array(wrong)], [np.array([1.0, 2.0])])
+
+
+@pytest.mark.parametrize("peer", PACKAGES)
+def test_an_installed_peer_agrees_and_is_timed(tables, peer) -> None:
+    rows = [line for line in tables if line.startswith(peer)]
+    assert rows
+    if "not installed" in rows[0]:
+        pytest.skip(f"{peer} is not installed: kleinform[bench]")
+    assert len(rows) == (2 if peer == "JAX" else 4)
+
+
+def test_the_tables_have_a_row_for_each_who(tables) -> None:
+    for who, times in (("lambdify", 3), ("kernel (NumPy)", 3), ("validated call", 3)):
+        assert sum(line.startswith(who) for line in tables) == times
+    assert sum(line.startswith("numpy.copyto") for line in tables) == 1
+    assert "on two threads against one" in tables[-1]
+
+
+def test_what_is_printed_is_saved_whole_or_not_at_all(tmp_path, capsys) -> None:
+    path = tmp_path / "results.md"
+    with saved(path):
+        print(machine())
+    printed = capsys.readouterr().out
+    assert "Python" in printed
+    assert f"```text\n{printed}```" in path.read_text(encoding="utf-8")
+    with pytest.raises(KeyError), saved(path):
+        raise KeyError
+    assert printed in path.read_text(encoding="utf-8")
+    assert list(tmp_path.iterdir()) == [path]
 
 
 def test_every_method_finds_every_mode(monkeypatch, capsys) -> None:

@@ -100,7 +100,7 @@ static void list_fields(
 }
 
 /* Poses that lie one after the other, to lanes that lie side by side, and back. */
-INLINE void to_lanes(const double *RESTRICT poses, int size, double *RESTRICT lanes)
+INLINE void poses_to_lanes(const double *RESTRICT poses, int size, double *RESTRICT lanes)
 {
     int k = 0;
 #ifdef __SSE2__
@@ -117,7 +117,7 @@ INLINE void to_lanes(const double *RESTRICT poses, int size, double *RESTRICT la
             lanes[k * LANES + lane] = poses[lane * size + k];
 }
 
-INLINE void to_poses(const double *RESTRICT lanes, int size, double *RESTRICT poses)
+INLINE void lanes_to_poses(const double *RESTRICT lanes, int size, double *RESTRICT poses)
 {
     int k = 0;
 #ifdef __SSE2__
@@ -134,6 +134,41 @@ INLINE void to_poses(const double *RESTRICT lanes, int size, double *RESTRICT po
             poses[lane * size + k] = lanes[k * LANES + lane];
 }
 
+/* The same for the sizes that occur most, which compilers then know. */
+static void to_lanes(const double *poses, int size, double *lanes)
+{
+    switch (size) {
+    case 1:
+        memcpy(lanes, poses, LANES * sizeof(double));
+        break;
+    case 3:
+        poses_to_lanes(poses, 3, lanes);
+        break;
+    case 9:
+        poses_to_lanes(poses, 9, lanes);
+        break;
+    default:
+        poses_to_lanes(poses, size, lanes);
+    }
+}
+
+static void to_poses(const double *lanes, int size, double *poses)
+{
+    switch (size) {
+    case 1:
+        memcpy(poses, lanes, LANES * sizeof(double));
+        break;
+    case 3:
+        lanes_to_poses(lanes, 3, poses);
+        break;
+    case 6:
+        lanes_to_poses(lanes, 6, poses);
+        break;
+    default:
+        lanes_to_poses(lanes, size, poses);
+    }
+}
+
 /* The same past the caches, for results that do not fit in them: memory is then written
    without having been read. */
 INLINE void stream_poses(const double *RESTRICT lanes, int size, double *RESTRICT poses)
@@ -147,7 +182,7 @@ INLINE void stream_poses(const double *RESTRICT lanes, int size, double *RESTRIC
             _mm_stream_pd(poses + (lane + 1) * size + k, _mm_unpackhi_pd(first, second));
         }
 #else
-    to_poses(lanes, size, poses);
+    lanes_to_poses(lanes, size, poses);
 #endif
 }
 

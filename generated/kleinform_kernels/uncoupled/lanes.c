@@ -455,5 +455,5 @@ static const struct kernel kernels[] = {
 };
 
 const struct table VARIANT_OF(kleinform_table) = {
-    26, 3808769765UL, kernels,
+    26, 3583361552UL, kernels,
 };
