@@ -66,7 +66,9 @@ def all_modes_batch(
     )
     position = np.full((len(values), 3), np.nan)
     position[valid] = rows.position
-    listed = ~np.isin(solved.status[solved.row], UNDECIDED)
+    listed: slice | NDArray[np.bool_] = slice(None)
+    if (solved.status == UNDECIDED).any():
+        listed = solved.status[solved.row] != UNDECIDED
     count = np.bincount(valid[solved.row[listed]], minlength=len(values))
     return AssemblyModesBatch(
         radius=np.broadcast_to(radius, lead),

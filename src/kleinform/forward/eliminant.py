@@ -27,7 +27,8 @@ EDGE = 1e-7
 SAME_FOLD = 1e-7
 #: So are two modes; those beside a fold are farther apart, or they have merged.
 SAME_MODE = 1e-9
-#: A fold belongs to a cell when it is not farther from its middle than this angle.
+#: A fold belongs to a cell when it is not farther from its middle than the cell is wide, and
+#: than this angle.
 NEARBY = 0.01
 #: Modes on the two sides of a fold are that near to it, or it is not the fold of these modes.
 FARTHEST = 0.05
@@ -120,7 +121,7 @@ def _clusters(
         _turn(circles.psi(row, _base_angle(rows, circles, row, near.directions)) - zeros.guess)
     )
     flat = np.asarray(near_plane(rows).any(axis=1))
-    lost = near.lost | ~(away <= NEARBY) | flat[row]
+    lost = near.lost | ~(away <= np.minimum(NEARBY, zeros.high - zeros.low)) | flat[row]
     lost |= near.apart & ~(near.reach <= FARTHEST)
     # Cells side by side may lead to the same fold.
     again = np.zeros(len(row), dtype=bool)

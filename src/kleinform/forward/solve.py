@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -15,8 +15,21 @@ from kleinform.forward.found import Found, found, some, together
 from kleinform.forward.in_plane import by_circles
 from kleinform.forward.zero_legs import by_zero_leg
 from kleinform.generated import kernels
+from kleinform_kernels._threads import in_parts
 
-__all__ = ["INVALID", "STATUS", "UNDECIDED", "Solved", "completed", "solve", "unit_size"]
+if kernels.BACKEND == "compiled":
+    from kleinform.forward import _compiled
+
+__all__ = [
+    "INVALID",
+    "STATUS",
+    "UNDECIDED",
+    "Solved",
+    "by_numpy",
+    "completed",
+    "solve",
+    "unit_size",
+]
 
 Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
@@ -25,7 +38,9 @@ Mask = NDArray[np.bool_]
 #: What is known of a row of joint values.
 STATUS = ("regular", "merged", "none", "infinite", "undecided", "invalid")
 REGULAR, MERGED, NONE, INFINITE, UNDECIDED, INVALID = range(len(STATUS))
-#: Rows that are solved at once, so that what lies between stays in cache.
+#: Rows that a thread takes at once from the compiled solver: some milliseconds.
+PART = 1024
+#: Rows that are solved at once on NumPy, so that what lies between stays in cache.
 BLOCK = 512
 #: Closure equations (6) of a mode: their residual relative to the sum of their terms.
 RESIDUAL = 1e-12
@@ -46,7 +61,38 @@ class Solved(NamedTuple):
 
 
 def solve(rows: Rows, tolerance: float) -> Solved:
-    """All assembly modes of rows of joint values."""
+    """All assembly modes of rows of joint values.
+
+    The compiled solver comes first, and NumPy does the rows that it leaves: those with modes
+    that are close or special.
+    """
+    if kernels.BACKEND != "compiled":
+        return by_numpy(rows, tolerance)
+    count, *modes = _by_compiled(rows, tolerance)
+    row = np.repeat(np.arange(len(rows)), np.maximum(count, 0))
+    status = np.where(count == 0, NONE, REGULAR)
+    settled = Solved._make((row, *modes, np.ones(len(row), dtype=np.int64), status))
+    left = np.flatnonzero(count < 0)
+    return _filled(settled, left, by_numpy(rows[left], tolerance)) if len(left) else settled
+
+
+def _by_compiled(rows: Rows, tolerance: float) -> list[Any]:
+    """What the compiled solver gives, on several threads if there are many rows."""
+    parts: dict[int, tuple[Any, ...]] = {}
+
+    def run(start: int, stop: int) -> None:
+        part = rows[start:stop]
+        parts[start] = _compiled.solve(part.radius, part.position, part.lengths, tolerance)
+
+    in_parts(run, len(rows), PART)
+    if len(parts) == 1:
+        return list(parts[0])
+    ordered = [parts[start] for start in sorted(parts)]
+    return [np.concatenate(entries) for entries in zip(*ordered, strict=True)]
+
+
+def by_numpy(rows: Rows, tolerance: float) -> Solved:
+    """All assembly modes without the compiled solver, which it is the reference for."""
     scaled, scale = unit_size(rows)
     parts = []
     for start in range(0, len(rows), BLOCK):
@@ -56,6 +102,17 @@ def solve(rows: Rows, tolerance: float) -> Solved:
     status = np.concatenate([np.empty(0, np.int64), *(part for _, part in parts)])
     modes = modes._replace(extension=modes.extension / scale[modes.row, np.newaxis])
     return _complete(rows, modes, status, tolerance)
+
+
+def _filled(settled: Solved, left: Integers, others: Solved) -> Solved:
+    """The modes of the rows that were left, in their places."""
+    others = others._replace(row=left[others.row])
+    place = np.searchsorted(settled.row, others.row)
+    pairs = zip(settled[:-1], others[:-1], strict=True)
+    entries = [np.insert(entry, place, other, axis=0) for entry, other in pairs]
+    status = settled.status.copy()
+    status[left] = others.status
+    return Solved._make((*entries, status))
 
 
 def completed(rows: Rows, modes: Found) -> Solved:
