@@ -4,6 +4,8 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 PEERS := $(VENV)/.peers
+# Test files run beside each other, on all cores.
+SPREAD := -n auto --dist loadfile
 SOURCES := pyproject.toml CMakeLists.txt $(shell find src generated -name '*.c' -o -name '*.h')
 
 .PHONY: help derive check-generated latex paper test lint bench census clean
@@ -32,8 +34,8 @@ paper: $(READY) ## the paper's numbers beside the computed ones, and docs/audit.
 	@$(BIN)/python -m kleinform.paper docs/audit.md
 
 test: $(READY) check-generated ## all tests on both backends, the freshness of generated/ and the wheel
-	@KLEINFORM_BACKEND=numpy $(BIN)/python -m pytest tests/kernels tests/runtime --deselect tests/runtime/test_wheel.py
-	@$(BIN)/python -m pytest
+	@KLEINFORM_BACKEND=numpy $(BIN)/python -m pytest $(SPREAD) tests/kernels tests/runtime --deselect tests/runtime/test_wheel.py
+	@$(BIN)/python -m pytest $(SPREAD)
 
 lint: $(READY) ## ruff and mypy
 	$(BIN)/ruff check .
