@@ -76,7 +76,7 @@ def apply_compiled(
     cores = [len(core) for _, _, core in inputs]
     results: list[Array] = [np.empty(lead + core) for core in outputs]
     poses = math.prod(lead)
-    if poses <= PART:
+    if poses <= PART:  # a 0-d batch has no axis to cut
         kernel(*arrays, out=tuple(results))
         return results
     axis = lead.index(max(lead))

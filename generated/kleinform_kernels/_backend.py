@@ -10,6 +10,7 @@ from __future__ import annotations
 
 import os
 import warnings
+from importlib import import_module
 
 from kleinform_kernels import COMPILED
 
@@ -24,12 +25,12 @@ def _chosen() -> tuple[str, str, str]:
     if wish == "numpy":
         return "numpy", "", "KLEINFORM_BACKEND=numpy"
     try:
-        from kleinform_kernels.uncoupled import _compiled
+        compiled = import_module("kleinform_kernels.uncoupled._compiled")
     except ImportError as error:
         reason = f"there are no compiled kernels: {error}"
     else:
-        if _compiled.CHECKSUM == COMPILED:
-            return "compiled", _compiled.instructions(), ""
+        if compiled.CHECKSUM == COMPILED:
+            return "compiled", compiled.instructions(), ""
         reason = "the compiled kernels are of other sources: reinstall kleinform"
         if not wish:
             warnings.warn(reason, RuntimeWarning, stacklevel=2)

@@ -38,19 +38,11 @@ def threads() -> int:
     """Threads that a large batch uses when it is called from here.
 
     Those of `set_threads`, or else of the environment variable ``KLEINFORM_THREADS``, or of
-    ``OMP_NUM_THREADS``, or else the cores that the process may use. It is one in other threads
-    than the main one and in processes that multiprocessing started: their caller is parallel
-    already. Results do not depend on it. The NumPy backend always uses one.
-
-    Raises
-    ------
-    InputError
-        KLEINFORM_THREADS is not a positive integer.
+    ``OMP_NUM_THREADS`` at the import, or else the cores that the process may use. It is one in
+    other threads than the main one and in processes that multiprocessing started: their caller
+    is parallel already. Results do not depend on it. The NumPy backend always uses one.
     """
-    try:
-        return _threads.threads()
-    except ValueError as error:
-        raise InputError(str(error)) from error
+    return _threads.threads()
 
 
 def set_threads(count: int | None) -> None:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -75,6 +75,11 @@ class UncoupledManipulator:
         if factor.ndim or not (np.isfinite(factor) and factor >= 0.0):
             raise InputError(f"rounding: one number >= 0 is needed, {rounding!r} arrived")
         self._rounding = float(factor)
+
+    def __setstate__(self, state: dict[str, Any]) -> None:
+        """Copies and unpickled ones are read-only too."""
+        self.__dict__.update(state)
+        self._radius.setflags(write=False)
 
     @property
     def radius(self) -> Array:

@@ -6,12 +6,16 @@ look at plain C-ordered float64 arrays alone.
 
 from __future__ import annotations
 
+from kleinform.errors import BackendError
 from kleinform.generated import kernels
 
 __all__ = ["none_zero", "sized", "sound"]
 
 if kernels.BACKEND == "compiled":
-    from kleinform._checks import none_zero, sized, sound
+    try:
+        from kleinform._checks import none_zero, sized, sound
+    except ImportError as error:
+        raise BackendError(f"compiled only in part: {error}; reinstall kleinform") from error
 else:
 
     def none_zero(values: object, scales: object, factor: float) -> bool:

@@ -88,7 +88,7 @@ class Screen:
     __slots__ = ("broken", "errors", "lead")
 
     def __init__(self, lead: tuple[int, ...], errors: Errors) -> None:
-        if errors not in ("raise", "nan"):
+        if not isinstance(errors, str) or errors not in ("raise", "nan"):
             raise InputError(f'errors: "raise" or "nan" is needed, {errors!r} arrived')
         self.lead = lead
         self.errors = errors

@@ -5,9 +5,11 @@ from __future__ import annotations
 import json
 import multiprocessing
 import os
+import signal
 import subprocess
 import sys
 import threading
+import time
 from concurrent.futures import ThreadPoolExecutor
 
 import numpy as np
@@ -25,7 +27,9 @@ def fresh(script: str, **variables: str) -> subprocess.CompletedProcess[str]:
     """A script in a fresh interpreter with some environment variables."""
     environment = {**os.environ, **variables}
     command = [sys.executable, "-c", script]
-    return subprocess.run(command, env=environment, text=True, capture_output=True, check=False)
+    return subprocess.run(
+        command, env=environment, text=True, capture_output=True, check=False, timeout=120
+    )
 
 
 def test_the_variable_chooses_numpy() -> None:
@@ -66,7 +70,6 @@ def test_older_compiled_kernels_are_not_used(monkeypatch: pytest.MonkeyPatch) ->
 def test_no_compiled_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
     """NumPy, and the reason; an error where they were asked for."""
     monkeypatch.setitem(sys.modules, "kleinform_kernels.uncoupled._compiled", None)
-    monkeypatch.delattr(uncoupled, "_compiled", raising=False)
     monkeypatch.delenv("KLEINFORM_BACKEND", raising=False)
     name, _, reason = _backend._chosen()
     assert name == "numpy"
@@ -81,8 +84,7 @@ def test_no_compiled_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
 
 @pytest.fixture
 def default_threads(monkeypatch: pytest.MonkeyPatch):
-    monkeypatch.delenv("KLEINFORM_THREADS", raising=False)
-    monkeypatch.delenv("OMP_NUM_THREADS", raising=False)
+    monkeypatch.setattr(_threads, "_GIVEN", None)
     kleinform.set_threads(None)
     yield monkeypatch
     kleinform.set_threads(None)
@@ -91,14 +93,23 @@ def default_threads(monkeypatch: pytest.MonkeyPatch):
 def test_the_number_of_threads(default_threads: pytest.MonkeyPatch) -> None:
     if hasattr(os, "sched_getaffinity"):
         assert kleinform.threads() == len(os.sched_getaffinity(0))
-    default_threads.setenv("OMP_NUM_THREADS", "3")
-    assert kleinform.threads() == 3
-    default_threads.setenv("KLEINFORM_THREADS", "5")
+    default_threads.setattr(_threads, "_GIVEN", 5)
     assert kleinform.threads() == 5
     kleinform.set_threads(7)
     assert kleinform.threads() == 7
+    kleinform.set_threads(np.int64(3))
+    assert kleinform.threads() == 3
     kleinform.set_threads(None)
     assert kleinform.threads() == 5
+
+
+@pytest.mark.parametrize(
+    ("own", "others", "number"),
+    [("5", "3", "5"), ("", "3", "3"), ("", "3,2", "3"), ("2", "", "2")],
+)
+def test_the_variables(own: str, others: str, number: str) -> None:
+    script = "import kleinform; print(kleinform.threads())"
+    assert fresh(script, KLEINFORM_THREADS=own, OMP_NUM_THREADS=others).stdout.strip() == number
 
 
 @pytest.mark.parametrize("count", [0, -1, 2.0, "2", True])
@@ -107,10 +118,10 @@ def test_other_numbers_are_refused(default_threads: pytest.MonkeyPatch, count: o
         kleinform.set_threads(count)
 
 
-def test_a_wrong_variable_is_refused(default_threads: pytest.MonkeyPatch) -> None:
-    default_threads.setenv("KLEINFORM_THREADS", "many")
-    with pytest.raises(kleinform.InputError, match=r"KLEINFORM_THREADS: .* 'many' arrived"):
-        kleinform.threads()
+@pytest.mark.parametrize("given", ["many", "0", "-1", "1.5"])
+def test_a_wrong_variable_is_refused(given: str) -> None:
+    result = fresh("import kleinform", KLEINFORM_THREADS=given)
+    assert "BackendError: KLEINFORM_THREADS: a positive integer is needed" in result.stderr
 
 
 def test_parallel_callers_get_one_thread(default_threads: pytest.MonkeyPatch) -> None:
@@ -140,44 +151,103 @@ def test_results_do_not_depend_on_threads(
                 assert all(map(np.array_equal, results[0], other))
 
 
-@needs_compiled
 def test_several_threads_do_run(default_threads: pytest.MonkeyPatch) -> None:
-    seen = set()
+    barrier, seen = threading.Barrier(2), set()
 
     def task(start: int, stop: int) -> None:
         seen.add(threading.current_thread().name)
         barrier.wait(timeout=30.0)
 
-    barrier = threading.Barrier(2)
     kleinform.set_threads(2)
     _threads.in_parts(task, 4, 2)
     assert len(seen) == 2
 
 
-def test_an_error_in_a_thread_is_raised(default_threads: pytest.MonkeyPatch) -> None:
+@pytest.mark.parametrize("count", [1, 2, 4])
+def test_every_part_is_done_once(default_threads: pytest.MonkeyPatch, count: int) -> None:
+    kleinform.set_threads(count)
+    for total in (0, 1, 7, 8, 9, 100):
+        done = np.zeros(total, dtype=int)
+
+        def task(start: int, stop: int, done: np.ndarray = done) -> None:
+            done[start:stop] += 1
+
+        _threads.in_parts(task, total, 8)
+        assert np.all(done == 1)
+
+
+@pytest.mark.parametrize("count", [1, 2])
+def test_an_error_ends_the_call(default_threads: pytest.MonkeyPatch, count: int) -> None:
+    """It is raised, and what was not begun is not begun any more."""
+    begun = []
+
     def task(start: int, stop: int) -> None:
-        raise RuntimeError(f"part {start}")
+        begun.append(start)
+        time.sleep(0.01)
+        raise KeyboardInterrupt
 
-    kleinform.set_threads(2)
-    with pytest.raises(RuntimeError, match="part 0"):
-        _threads.in_parts(task, 4, 2)
+    kleinform.set_threads(count)
+    with pytest.raises(KeyboardInterrupt):
+        _threads.in_parts(task, 100, 1)
+    assert len(begun) <= count
+    assert not any(thread.name == "kleinform" for thread in threading.enumerate())
 
 
-@needs_compiled
-@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork on this system")
-def test_a_forked_child_has_its_own_threads(default_threads: pytest.MonkeyPatch) -> None:
-    """Threads do not survive a fork; waiting for those of the parent would hang."""
-    script = """
-import os, numpy as np, kleinform
+def test_where_no_thread_can_be_started(default_threads: pytest.MonkeyPatch) -> None:
+    """The caller does it all: as when the interpreter shuts down."""
+
+    def refuse(self: threading.Thread) -> None:
+        raise RuntimeError("can't start new thread")
+
+    default_threads.setattr(threading.Thread, "start", refuse)
+    kleinform.set_threads(4)
+    done = []
+    _threads.in_parts(lambda start, stop: done.append(start), 10, 2)
+    assert done == [0, 2, 4, 6, 8]
+
+
+LARGE = """
+import atexit, os, signal, numpy as np, kleinform
 from kleinform_kernels import uncoupled
 kleinform.set_threads(2)
 place = np.random.default_rng(1).normal(size=(100_000, 3))
 before = uncoupled.survey(1.0, place, np.eye(3))
+
+def same():
+    return all(map(np.array_equal, before, uncoupled.survey(1.0, place, np.eye(3))))
+"""
+
+
+@needs_compiled
+@pytest.mark.skipif(not hasattr(os, "fork"), reason="there is no fork on this system")
+def test_in_a_forked_child() -> None:
+    script = """
 child = os.fork()
 if child == 0:
-    after = uncoupled.survey(1.0, place, np.eye(3))
-    os._exit(0 if all(map(np.array_equal, before, after)) else 3)
+    os._exit(0 if same() else 3)
 print(os.waitpid(child, 0)[1])
 """
-    result = fresh(script)
+    result = fresh(LARGE + script)
     assert result.stdout.strip() == "0", result.stderr
+
+
+@needs_compiled
+def test_when_the_interpreter_ends() -> None:
+    result = fresh(LARGE + "atexit.register(lambda: print(same()))")
+    assert result.stdout.strip() == "True", result.stderr
+
+
+@needs_compiled
+@pytest.mark.skipif(not hasattr(signal, "setitimer"), reason="there are no timers on this system")
+def test_in_a_signal_handler() -> None:
+    """The handler runs in the middle of a large call, and calls the same."""
+    script = """
+found = []
+signal.signal(signal.SIGALRM, lambda *_: (kleinform.set_threads(2), found.append(same())))
+for k in range(20):
+    signal.setitimer(signal.ITIMER_REAL, 0.0005 + 0.0002 * k)
+    uncoupled.rotation_defect(np.broadcast_to(np.eye(3), (2_000_000, 3, 3)))
+print(len(found) > 0 and all(found))
+"""
+    result = fresh(LARGE + script)
+    assert result.stdout.strip() == "True", result.stderr

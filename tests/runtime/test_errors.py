@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 import re
 from collections.abc import Callable
 
@@ -254,3 +256,11 @@ def test_names_of_the_package() -> None:
     with pytest.raises(AttributeError, match="has no attribute 'bogus'"):
         getattr(kleinform, name)
     assert repr(ROBOT) == "UncoupledManipulator(radius=1.0, rounding=16.0)"
+
+
+def test_copies_of_a_manipulator_are_read_only() -> None:
+    robot = kleinform.UncoupledManipulator([1.0, 2.0])
+    for other in (copy.deepcopy(robot), pickle.loads(pickle.dumps(robot))):
+        assert np.array_equal(other.radius, robot.radius)
+        with pytest.raises(ValueError, match="read-only"):
+            other.radius[0] = -5.0

@@ -17,7 +17,7 @@ ALLOWED = 6e-18
 
 TEXT = """\
 /* The angle of (x, y) in [-pi, pi] [rad], within 3 ulp; signed zeros, inf and NaN as in libm.
-   Sums of |x| and |y| must not overflow. */
+   Not for |x| + |y| that overflows, nor for x and y that are both subnormal. */
 KLEINFORM_BODY double angle_of(double y, double x)
 {{
     const double across = fabs(x), along = fabs(y);

@@ -12,7 +12,7 @@ HEAD = '''"""Compiled kernels of the uncoupled manipulator 3-RPRRC+RRPRU.
 
 The same functions as on NumPy: leading axes broadcast, trailing axes are the mathematical
 shape, everything is float64. Nothing is raised for a singular pose: it gives inf, or NaN where
-0/0. Large batches run on several threads, see ``kleinform_kernels.set_threads``.
+0/0. Large batches run on several threads, see ``kleinform_kernels._threads``.
 """
 
 from __future__ import annotations
@@ -31,10 +31,15 @@ if TYPE_CHECKING:
 
 GUFUNCS = '''"""The compiled kernels as NumPy's generalised ufuncs, one core each.
 
-They take what every ufunc takes: ``out=``, ``where=`` excepted, ``axes=``, strides, broadcasting
-and casting; they give a tuple in the order of the kernel's results. Only where
-``kleinform_kernels.uncoupled.BACKEND`` is ``"compiled"``.
+They take what every generalised ufunc takes: ``out=``, ``axes=``, strides, broadcasting and
+casting; they give a tuple in the order of the kernel's results. Importing them where
+``kleinform_kernels.uncoupled.BACKEND`` is not ``"compiled"`` is an ImportError.
 """
+
+from kleinform_kernels._backend import BACKEND, REASON
+
+if BACKEND != "compiled":
+    raise ImportError(REASON)
 
 from kleinform_kernels.uncoupled._compiled import (
 {names}

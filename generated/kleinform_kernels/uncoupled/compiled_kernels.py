@@ -4,7 +4,7 @@
 
 The same functions as on NumPy: leading axes broadcast, trailing axes are the mathematical
 shape, everything is float64. Nothing is raised for a singular pose: it gives inf, or NaN where
-0/0. Large batches run on several threads, see ``kleinform_kernels.set_threads``.
+0/0. Large batches run on several threads, see ``kleinform_kernels._threads``.
 """
 
 from __future__ import annotations

@@ -2,10 +2,15 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The compiled kernels as NumPy's generalised ufuncs, one core each.
 
-They take what every ufunc takes: ``out=``, ``where=`` excepted, ``axes=``, strides, broadcasting
-and casting; they give a tuple in the order of the kernel's results. Only where
-``kleinform_kernels.uncoupled.BACKEND`` is ``"compiled"``.
+They take what every generalised ufunc takes: ``out=``, ``axes=``, strides, broadcasting and
+casting; they give a tuple in the order of the kernel's results. Importing them where
+``kleinform_kernels.uncoupled.BACKEND`` is not ``"compiled"`` is an ImportError.
 """
+
+from kleinform_kernels._backend import BACKEND, REASON
+
+if BACKEND != "compiled":
+    raise ImportError(REASON)
 
 from kleinform_kernels.uncoupled._compiled import (
     arms,

@@ -455,5 +455,5 @@ static const struct kernel kernels[] = {
 };
 
 const struct table VARIANT_OF(kleinform_table) = {
-    26, 3583361552UL, kernels,
+    26, 3533486438UL, kernels,
 };

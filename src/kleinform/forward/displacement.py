@@ -72,7 +72,7 @@ def all_modes_batch(
     count = np.bincount(valid[solved.row[listed]], minlength=len(values))
     return AssemblyModesBatch(
         radius=np.broadcast_to(radius, lead),
-        joints=values,
+        joints=values.copy(),
         position=position,
         offsets=np.concatenate([[0], np.cumsum(count)]),
         **{name: getattr(solved, name)[listed] for name in LISTED},

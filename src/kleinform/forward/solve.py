@@ -7,6 +7,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from kleinform.errors import BackendError
 from kleinform.forward.cases import IN_PLANE, near_plane, on_circle, zero_leg
 from kleinform.forward.circle import AXES, Rows
 from kleinform.forward.clusters import by_pencil
@@ -18,7 +19,10 @@ from kleinform.generated import kernels
 from kleinform_kernels._threads import in_parts
 
 if kernels.BACKEND == "compiled":
-    from kleinform.forward import _compiled
+    try:
+        from kleinform.forward import _compiled
+    except ImportError as error:
+        raise BackendError(f"compiled only in part: {error}; reinstall kleinform") from error
 
 __all__ = [
     "INVALID",
@@ -84,9 +88,10 @@ def _by_compiled(rows: Rows, tolerance: float) -> list[Any]:
         part = rows[start:stop]
         parts[start] = _compiled.solve(part.radius, part.position, part.lengths, tolerance)
 
-    in_parts(run, len(rows), PART)
-    if len(parts) == 1:
+    if len(rows) <= PART:
+        run(0, len(rows))
         return list(parts[0])
+    in_parts(run, len(rows), PART)
     ordered = [parts[start] for start in sorted(parts)]
     return [np.concatenate(entries) for entries in zip(*ordered, strict=True)]
 
