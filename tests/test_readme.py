@@ -50,6 +50,14 @@ def test_the_page_on_assembly_modes_prints_what_it_shows() -> None:
     assert printed.getvalue() == blocks[1][1]
 
 
+def test_the_figures_are_those_of_the_benchmark() -> None:
+    """The tables as `make bench` has written them."""
+    saved = (Path(__file__).parents[1] / "benchmarks" / "results.md").read_text(encoding="utf-8")
+    assert [text for language, text in BLOCKS if language == "text"] == re.findall(
+        r"```text\n(.*?)```", saved, flags=re.DOTALL
+    )
+
+
 def test_every_target_that_readme_names_exists() -> None:
     makefile = (Path(__file__).parents[1] / "Makefile").read_text(encoding="utf-8")
     for target in set(re.findall(r"make ([a-z-]+)", README)) - {"are"}:
