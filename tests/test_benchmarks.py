@@ -62,7 +62,7 @@ def test_the_tables_have_a_row_for_each_who(tables) -> None:
     for who, times in (("lambdify", 3), ("kernel (NumPy)", 3), ("validated call", 3)):
         assert sum(line.startswith(who) for line in tables) == times
     assert sum(line.startswith("numpy.copyto") for line in tables) == 2
-    assert "on two threads against one" in tables[-1]
+    assert "on one thread and on two" in tables[-1]
 
 
 def test_what_is_printed_is_saved_whole_or_not_at_all(tmp_path, capsys) -> None:
