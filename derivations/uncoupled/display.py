@@ -17,6 +17,7 @@ from derivations.algebra.equations import Equation, bindings
 from derivations.algebra.screws import Screw
 from derivations.algebra.vectors import components, scalar
 from derivations.uncoupled import (
+    accelerations,
     circles,
     closure,
     correction,
@@ -55,6 +56,11 @@ FILE_NAMES = {
     "dF": "J_F",
     "dqi": "rate_i",
     "dq": "rates",
+    "ddqi": "acceleration_i",
+    "ddq": "accelerations",
+    "domega": "omega_rate",
+    "dv": "v_C_rate",
+    "dV": "twist_rate",
     "nwi": "hinge_i",
     "r": "radial",
     "v": "v_C",
@@ -74,6 +80,8 @@ FILE_NAMES = {
     "dphi": "step_phi",
     "qF": "F_by_joints",
 }
+
+STEMS = {"dq": "rate", "ddq": "acceleration"}
 
 #: What the reader of one formula should know, by the name of its file.
 NOTES = {
@@ -229,6 +237,15 @@ def _velocity() -> Iterator[Entry]:
             replace(equation, expression=equation.expression.xreplace(twist)),
         )
     yield from _named(_limb_first(rates.forward_twist()))
+    change = {Screw(accelerations.angular, accelerations.linear): relations.TWIST_RATE}
+    yield from _named(accelerations.biases("i"))
+    for equation in _limb_first(accelerations.inverse_accelerations()):
+        if not equation.name.startswith(("de", "db", "bias")):
+            expression = equation.expression.xreplace(change)
+            yield _file_name(equation), replace(equation, expression=expression)
+    for equation in _limb_first(accelerations.forward_accelerations()):
+        if not equation.name.startswith(("de", "db", "bias")):
+            yield _file_name(equation), equation
 
 
 def _singularity() -> Iterator[Entry]:
@@ -252,7 +269,7 @@ def _file_name(equation: Equation) -> str:
     if match is None:
         return name
     stem, index = filter(None, match.groups())
-    return f"{'rate' if stem == 'dq' else stem}_{index}"
+    return f"{STEMS.get(stem, stem)}_{index}"
 
 
 def _pick(equations: Iterable[Equation], *names: str) -> list[Equation]:

@@ -6,9 +6,10 @@ from sympy import ImmutableDenseMatrix
 
 from derivations.algebra.vectors import Columns, Rows, matrix, scalar
 from derivations.codegen.kernel import Input, Output
+from derivations.uncoupled.accelerations import ACCELERATIONS, angular, linear
 from derivations.uncoupled.displacement import q6, r
 from derivations.uncoupled.geometry import LIMBS, a, c, m1, n1, nu
-from derivations.uncoupled.rates import omega, velocity
+from derivations.uncoupled.rates import RATES, omega, velocity
 from derivations.uncoupled.singularity import central, orientation, reach, wrist
 from derivations.uncoupled.velocity import heading
 
@@ -19,6 +20,13 @@ HEADING = Input(
     "heading", heading, "m", "horizontal vector at azimuth q4: (c_x, c_y) off the Z axis"
 )
 TWIST = Input("twist", Rows(omega, velocity), "rad/s, m/s", "[omega, v_C]")
+TWIST_RATE = Input("twist_rate", Rows(angular, linear), "rad/s², m/s²", "[d omega/dt, dv_C/dt]")
+RATES_IN = Input("rates", ImmutableDenseMatrix(RATES), "m/s, rad/s", "q̇1 ... q̇6")
+RATES_OUT = Output("rates", matrix("dq", 6, 1), "m/s, rad/s", "q̇1 ... q̇6")
+ACCELERATIONS_IN = Input(
+    "accelerations", ImmutableDenseMatrix(ACCELERATIONS), "m/s², rad/s²", "q̈1 ... q̈6"
+)
+ACCELERATIONS_OUT = Output("accelerations", matrix("ddq", 6, 1), "m/s², rad/s²", "q̈1 ... q̈6")
 
 RADIAL = Output("radial", r, "m", "distance of C from the Z axis")
 LENGTH = Output("central_length", q6, "m", "distance from O to C")

@@ -6,8 +6,14 @@ from sympy import ImmutableDenseMatrix
 
 from derivations.algebra.vectors import matrix, scalar, vector
 from derivations.codegen.kernel import Input, Kernel, Output
+from derivations.uncoupled.accelerations import (
+    forward_acceleration_graph,
+    inverse_acceleration_graph,
+)
 from derivations.uncoupled.displacement import central_graph, lam, pose_graph, q4, q5, q6
 from derivations.uncoupled.fields import (
+    ACCELERATIONS_IN,
+    ACCELERATIONS_OUT,
     CENTRAL,
     CENTRAL_SCALE,
     EXTENSION,
@@ -24,8 +30,11 @@ from derivations.uncoupled.fields import (
     POSE,
     POSITION,
     RADIAL,
+    RATES_IN,
+    RATES_OUT,
     REACH,
     TWIST,
+    TWIST_RATE,
     WRIST,
     WRIST_SCALE,
 )
@@ -41,7 +50,7 @@ from derivations.uncoupled.orientation import (
     to_angles_graph,
     yaw,
 )
-from derivations.uncoupled.rates import RATES, forward_velocity_graph, inverse_velocity_graph
+from derivations.uncoupled.rates import forward_velocity_graph, inverse_velocity_graph
 from derivations.uncoupled.singularity import singularity_graph
 from derivations.uncoupled.velocity import velocity_graph
 
@@ -194,21 +203,48 @@ def velocity_kernels() -> list[Kernel]:
             "(15), (16)",
             inverse_velocity_graph(),
             (*POSE, TWIST),
-            (Output("rates", matrix("dq", 6, 1), "m/s, rad/s", "q̇1 ... q̇6"), *checks),
+            (RATES_OUT, *checks),
         ),
         Kernel(
             "forward_velocity",
             "Twist from the joint rates, and the determinant of its 3×3 with its factors.",
             "(12), (17)",
             forward_velocity_graph(),
-            (
-                *POSE,
-                HEADING,
-                Input("rates", ImmutableDenseMatrix(RATES), "m/s, rad/s", "q̇1 ... q̇6"),
-            ),
+            (*POSE, HEADING, RATES_IN),
             (
                 Output("twist", matrix("V", 6, 1), "rad/s, m/s", "[omega, v_C]"),
                 Output("determinant", scalar("det_moments"), "m³", "det of the moments of S_i"),
+                EXTENSION,
+                EXTENSION_SCALE,
+                ORIENTATION,
+                ORIENTATION_SCALE,
+                *checks,
+            ),
+        ),
+    ]
+
+
+def acceleration_kernels() -> list[Kernel]:
+    """The derivative of Section IV."""
+    checks = (INCIDENCE, LEGS, RADIAL, LENGTH, REACH)
+    return [
+        Kernel(
+            "inverse_acceleration",
+            "Joint rates and accelerations from the twist and its derivative.",
+            "(15), (16), differentiated",
+            inverse_acceleration_graph(),
+            (*POSE, TWIST, TWIST_RATE),
+            (RATES_OUT, ACCELERATIONS_OUT, *checks),
+        ),
+        Kernel(
+            "forward_acceleration",
+            "Twist and its derivative from the joint rates and accelerations.",
+            "(12), (17), differentiated",
+            forward_acceleration_graph(),
+            (*POSE, HEADING, RATES_IN, ACCELERATIONS_IN),
+            (
+                Output("twist", matrix("V", 6, 1), "rad/s, m/s", "[omega, v_C]"),
+                Output("twist_rate", matrix("dV", 6, 1), "rad/s², m/s²", "its derivative"),
                 EXTENSION,
                 EXTENSION_SCALE,
                 ORIENTATION,
@@ -289,5 +325,6 @@ def kernels() -> list[Kernel]:
         *forward_kernels(),
         *orientation_kernels(),
         *velocity_kernels(),
+        *acceleration_kernels(),
         *singularity_kernels(),
     ]

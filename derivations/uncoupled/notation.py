@@ -47,12 +47,21 @@ LETTERS: dict[str, Letter | str] = {
         f"dq_{suffix}": Letter("q", sub=str(joint), accent=r"\dot")
         for joint, suffix in enumerate(SCREW_AXES, start=1)
     },
+    "ddq#": Letter("q", accent=r"\ddot"),
+    "ddq": Letter("q", accent=r"\ddot"),
+    **{
+        f"ddq_{suffix}": Letter("q", sub=str(joint), accent=r"\ddot")
+        for joint, suffix in enumerate(SCREW_AXES, start=1)
+    },
+    "bias#": Letter("q", sup="0", accent=r"\ddot"),  # the part that the rates alone make
     # displacement
     "p#": "p",  # n_i · u_i
     "h#": "h",  # a − c · u_i
+    "de#": Letter("e", accent=r"\dot"),
     "e#": "e",
     "c": "c",
     "b#": "b",
+    "db#": Letter("b", accent=r"\dot"),
     "gt#": Letter("g", sup="t"),  # p_i (b_i − a_i), its part along t_i
     "gz#": Letter("g", sup="z"),  # and along k
     "ng#": Letter("g", sup="n"),  # and along n_i
@@ -172,6 +181,10 @@ LETTERS: dict[str, Letter | str] = {
     "omega": r"\omega",
     "v": Letter("v", sub="C"),
     "V": "V",
+    "ddrive#": Letter(r"\psi", sup="A"),  # (τ_i ν − σ_i m_i) · dω/dt
+    "domega": Letter(r"\omega", accent=r"\dot"),
+    "dv": Letter("v", sub="C", accent=r"\dot"),
+    "dV": Letter("V", accent=r"\dot"),
     # singularity
     "tilt": r"\Theta",
     "reach": "L",

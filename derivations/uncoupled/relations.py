@@ -14,9 +14,9 @@ from derivations.algebra.vectors import Dot, matrix, scalar, vector
 from derivations.uncoupled.geometry import LIMBS, a
 from derivations.uncoupled.velocity import screw
 
-__all__ = ["TWIST", "Relation"]
+__all__ = ["TWIST", "TWIST_RATE", "Relation"]
 
-TWIST = matrix("V", 6, 1)
+TWIST, TWIST_RATE = matrix("V", 6, 1), matrix("dV", 6, 1)
 
 
 @dataclass(frozen=True)

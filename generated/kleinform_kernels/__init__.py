@@ -9,13 +9,13 @@ CHECKSUMS = {
     "_apply.py": 1048383769,
     "_backend.py": 2767283170,
     "_threads.py": 3407211179,
-    "uncoupled/__init__.py": 1983591608,
-    "uncoupled/numpy_kernels.py": 85757756,
-    "uncoupled/compiled_kernels.py": 3021822613,
-    "uncoupled/gufuncs.py": 1487877828,
-    "uncoupled/_compiled.pyi": 168279017,
-    "uncoupled/mpmath_kernels.py": 92675862,
-    "uncoupled/arb_kernels.py": 2070791960,
+    "uncoupled/__init__.py": 2584009675,
+    "uncoupled/numpy_kernels.py": 3805966629,
+    "uncoupled/compiled_kernels.py": 2218288798,
+    "uncoupled/gufuncs.py": 510360783,
+    "uncoupled/_compiled.pyi": 2115720888,
+    "uncoupled/mpmath_kernels.py": 1805688286,
+    "uncoupled/arb_kernels.py": 2898959157,
 }
 #: CRC-32 of the C sources: an extension that was compiled from others is not used.
-COMPILED = 3533486438
+COMPILED = 4257696193

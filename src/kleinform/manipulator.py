@@ -36,8 +36,6 @@ __all__ = ["UncoupledManipulator"]
 
 Array = NDArray[np.float64]
 
-NO_EXTENSION = tuple(f"direct singularity, e_{i} = 0" for i in (1, 2, 3))
-
 
 class UncoupledManipulator:
     """The manipulator of the paper, with an ideal geometry: base and platform angles of 120°.
@@ -330,16 +328,97 @@ class UncoupledManipulator:
         result = kernels.forward_velocity(
             pose.radius, pose.position, pose.rotation, pose.heading(), speeds
         )
-        pose.reject_legs(result)
-        pose.reject_zeros(NO_EXTENSION, result.extension, result.extension_scale)
-        pose.reject_zero(
-            "direct singularity, det[n_i × (d_i − c)] = 0",
-            result.orientation,
-            result.orientation_scale,
-        )
-        pose.reject_axis(result.radial, result.central_length)
+        pose.reject_direct(result)
         pose.screen.blank(result.twist)
         return result.twist
+
+    # Acceleration analysis --------------------------------------------------------------
+
+    def inverse_acceleration(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        twist: ArrayLike,
+        twist_rate: ArrayLike,
+        *,
+        errors: Errors = "raise",
+    ) -> Array:
+        """Joint accelerations of a twist and its derivative: (15), (16), differentiated.
+
+        Parameters
+        ----------
+        position, rotation, twist, errors
+            As in `inverse_velocity`.
+        twist_rate : array_like (..., 6)
+            ``[d omega/dt, dv_C/dt]``: angular acceleration [rad/s²], acceleration of C [m/s²].
+
+        Returns
+        -------
+        array (..., 6)
+            q̈1, q̈2, q̈3 [m/s²], q̈4, q̈5 [rad/s²], q̈6 [m/s²].
+
+        Raises
+        ------
+        SingularPoseError, InputError
+            As `inverse_velocity`.
+        """
+        motion = real_array("twist", twist, (6,))
+        change = real_array("twist_rate", twist_rate, (6,))
+        pose = check_pose(self, position, rotation, errors, twist=motion, twist_rate=change)
+        result = kernels.inverse_acceleration(
+            pose.radius,
+            pose.position,
+            pose.rotation,
+            motion.reshape((*motion.shape[:-1], 2, 3)),
+            change.reshape((*change.shape[:-1], 2, 3)),
+        )
+        pose.reject_legs(result)
+        pose.reject_zero("inverse singularity, q6 cos q5 = 0", result.radial, result.central_length)
+        pose.reject_overflow(result.accelerations)
+        pose.screen.blank(result.accelerations)
+        return result.accelerations
+
+    def forward_acceleration(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        rates: ArrayLike,
+        accelerations: ArrayLike,
+        *,
+        azimuth: ArrayLike | None = None,
+        errors: Errors = "raise",
+    ) -> Array:
+        """Derivative of the twist from joint rates and accelerations: (17), differentiated.
+
+        Parameters
+        ----------
+        position, rotation, rates, azimuth, errors
+            As in `forward_velocity`.
+        accelerations : array_like (..., 6)
+            q̈1, q̈2, q̈3 [m/s²], q̈4, q̈5 [rad/s²], q̈6 [m/s²].
+
+        Returns
+        -------
+        array (..., 6)
+            ``[d omega/dt, dv_C/dt]`` in rad/s² and m/s².
+
+        Raises
+        ------
+        SingularPoseError, InputError
+            As `forward_velocity`.
+        """
+        speeds = real_array("rates", rates, (6,))
+        changes = real_array("accelerations", accelerations, (6,))
+        pose = check_pose(
+            self, position, rotation, errors, azimuth=azimuth, rates=speeds, accelerations=changes
+        )
+        result = kernels.forward_acceleration(
+            pose.radius, pose.position, pose.rotation, pose.heading(), speeds, changes
+        )
+        pose.reject_direct(result)
+        pose.reject_overflow(result.twist_rate)
+        pose.screen.blank(result.twist_rate)
+        return result.twist_rate
 
     # Singularity analysis ---------------------------------------------------------------
 

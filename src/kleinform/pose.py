@@ -31,7 +31,9 @@ __all__ = ["Pose", "check_pose"]
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
 
+HUGE = float(np.finfo(np.float64).max)
 NO_PLATFORM_JOINT = tuple(f"n_{i}·u_{i} = 0, B_{i} is not defined" for i in (1, 2, 3))
+NO_EXTENSION = tuple(f"direct singularity, e_{i} = 0" for i in (1, 2, 3))
 NO_LEG = tuple(f"q_{i} = 0, leg {i} has no direction" for i in (1, 2, 3))
 
 
@@ -83,6 +85,23 @@ class Pose:
         """Refuse ``n_i·u_i = 0`` and ``q_i = 0``."""
         self.reject_incidence(result.incidence)
         self.reject_zeros(NO_LEG, result.scaled_legs, result.reach)
+
+    def reject_direct(self, result: Any) -> None:
+        """Refuse what leaves the twist without an answer: the wrist factor cancels."""
+        self.reject_legs(result)
+        self.reject_zeros(NO_EXTENSION, result.extension, result.extension_scale)
+        self.reject_zero(
+            "direct singularity, det[n_i × (d_i − c)] = 0",
+            result.orientation,
+            result.orientation_scale,
+        )
+        self.reject_axis(result.radial, result.central_length)
+
+    def reject_overflow(self, result: Array) -> None:
+        """Refuse what is singular no more, and still not finite: products of large rates."""
+        if not sized(result, 0.0, HUGE):
+            rule = "the rates are so large that the result overflows"
+            self.screen.reject(~np.isfinite(result).all(axis=-1), InputError, rule)
 
     def on_axis(self, radial: Array, length: Array) -> Mask:
         """Where C lies on the Z axis within rounding."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from derivations.algebra.identities import Identity
 from derivations.uncoupled.identities import (
+    accelerations,
     chains,
     circles,
     closure,
@@ -37,6 +38,7 @@ SECTIONS = (
     velocity,
     reciprocity,
     rates,
+    accelerations,
     singularity,
     degenerate,
 )

@@ -40,6 +40,8 @@ jacobians: np.ufunc
 joints_and_jacobians: np.ufunc
 inverse_velocity: np.ufunc
 forward_velocity: np.ufunc
+inverse_acceleration: np.ufunc
+forward_acceleration: np.ufunc
 inverse_singularity: np.ufunc
 direct_singularity: np.ufunc
 survey: np.ufunc

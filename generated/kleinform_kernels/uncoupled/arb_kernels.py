@@ -3487,6 +3487,602 @@ def forward_velocity(a: Nested, c: Nested, R: Nested, heading: Nested, rates: Ne
     )
 
 
+class InverseAcceleration(NamedTuple):
+    """What `inverse_acceleration` returns."""
+
+    rates: Nested
+    accelerations: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def inverse_acceleration(a: Nested, c: Nested, R: Nested, twist: Nested, twist_rate: Nested) -> InverseAcceleration:
+    """Joint rates and accelerations from the twist and its derivative.
+
+    Equations (15), (16), differentiated of the paper; base frame.
+    535 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    twist : nested list (..., 2, 3)
+        [omega, v_C] [rad/s, m/s]
+    twist_rate : nested list (..., 2, 3)
+        [d omega/dt, dv_C/dt] [rad/s², m/s²]
+
+    Returns
+    -------
+    rates : nested list (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+    accelerations : nested list (..., 6)
+        q̈1 ... q̈6 [m/s², rad/s²]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    twist = _exact(twist)
+    twist_rate = _exact(twist_rate)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    (omega_x, omega_y, omega_z), (v_x, v_y, v_z) = twist
+    (domega_x, domega_y, domega_z), (dv_x, dv_y, dv_z) = twist_rate
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    x14 = c_z*x13
+    lambda_z = x14
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    x15 = 1.0/n1_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1*x15
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x16 = 1.0/absolute(n1_x)
+    # length of the outer limb (10) [m]
+    q1 = l1*x16
+    x17 = SQRT3_2*c_y
+    x18 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x17 + x18
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    x19 = 1.0/p2
+    # signed distance from C to B_i (4) [m]
+    e2 = h2*x19
+    x20 = arb(1)/2*n2_y
+    x21 = arb(1)/2*c_y
+    x22 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - x20) + p2*(-x21 - x22)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    x23 = 1.0/absolute(p2)
+    # length of the outer limb (10) [m]
+    q2 = l2*x23
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x17 + x18
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    x24 = 1.0/p3
+    # signed distance from C to B_i (4) [m]
+    e3 = h3*x24
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(-x21 + x22)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x25 = 1.0/absolute(p3)
+    # length of the outer limb (10) [m]
+    q3 = l3*x25
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    x26 = arb(1)/2*nu_y
+    x27 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x26 - x27)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x26 + x27)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x28 = m1_x*tau1 + nu_x*sigma1
+    x29 = m1_y*tau1 + nu_y*sigma1
+    x30 = m1_z*tau1 + nu_z*sigma1
+    x31 = -m1_x*sigma1 + nu_x*tau1
+    x32 = -m1_y*sigma1 + nu_y*tau1
+    x33 = -m1_z*sigma1 + nu_z*tau1
+    x34 = x15*x16/l1
+    # rate of the outer limb 1 (15) [m/s]
+    dq1 = x34*(-h1*(omega_x*x31 + omega_y*x32 + omega_z*x33) - n1_x*(v_x*x28 + v_y*x29 + v_z*x30))
+    x35 = m2_x*tau2 + nu_x*sigma2
+    x36 = m2_y*tau2 + nu_y*sigma2
+    x37 = m2_z*tau2 + nu_z*sigma2
+    x38 = -m2_x*sigma2 + nu_x*tau2
+    x39 = -m2_y*sigma2 + nu_y*tau2
+    x40 = -m2_z*sigma2 + nu_z*tau2
+    x41 = x19*x23/l2
+    # rate of the outer limb 2 (15) [m/s]
+    dq2 = x41*(-h2*(omega_x*x38 + omega_y*x39 + omega_z*x40) - p2*(v_x*x35 + v_y*x36 + v_z*x37))
+    x42 = m3_x*tau3 + nu_x*sigma3
+    x43 = m3_y*tau3 + nu_y*sigma3
+    x44 = m3_z*tau3 + nu_z*sigma3
+    x45 = -m3_x*sigma3 + nu_x*tau3
+    x46 = -m3_y*sigma3 + nu_y*tau3
+    x47 = -m3_z*sigma3 + nu_z*tau3
+    x48 = x24*x25/l3
+    # rate of the outer limb 3 (15) [m/s]
+    dq3 = x48*(-h3*(omega_x*x45 + omega_y*x46 + omega_z*x47) - p3*(v_x*x42 + v_y*x43 + v_z*x44))
+    x49 = 1.0/((r*r))
+    # rate of the azimuth (16) [rad/s]
+    dq4 = x49*(c_x*v_y - c_y*v_x)
+    x50 = c_x*v_x
+    x51 = c_y*v_y
+    x52 = 1.0/r
+    x53 = c_z*x52
+    # rate of the elevation (16) [rad/s]
+    dq5 = (r*v_z - x53*(x50 + x51))/((q6*q6))
+    # rate of the central limb's length (16) [m/s]
+    dq6 = lambda_x*v_x + lambda_y*v_y + lambda_z*v_z
+    x54 = -n1_y*omega_z + n1_z*omega_y
+    x55 = e1*x54 + v_x
+    # rate of e_i (4) [m/s]
+    de1 = -x15*x55
+    # velocity of B_i (3) [m/s]
+    db1_x = de1*n1_x + x55
+    x56 = n1_x*omega_z - n1_z*omega_x
+    db1_y = de1*n1_y + e1*x56 + v_y
+    x57 = -n1_x*omega_y + n1_y*omega_x
+    db1_z = de1*n1_z + e1*x57 + v_z
+    # the part of the acceleration of an outer limb that the rates alone make (6) [m/s²]
+    bias1 = ((db1_x*db1_x) + (db1_y*db1_y) + (db1_z*db1_z) - (dq1*dq1) - (2.0*de1*(x28*x54 + x29*x56 + x30*x57) + e1*(n1_x*omega_x + n1_y*omega_y + n1_z*omega_z)*(omega_x*x28 + omega_y*x29 + omega_z*x30))/((n1_x*n1_x)))/q1
+    # acceleration of the outer limb 1 (15) [m/s²]
+    ddq1 = bias1 - x34*(h1*(domega_x*x31 + domega_y*x32 + domega_z*x33) + n1_x*(dv_x*x28 + dv_y*x29 + dv_z*x30))
+    x58 = SQRT3_2*v_y
+    x59 = n2_x*omega_z - n2_z*omega_x
+    # rate of e_i (4) [m/s]
+    de2 = x19*(-e2*(SQRT3_2*x59 - arb(1)/2*n2_z*omega_y + omega_z*x20) + arb(1)/2*v_x - x58)
+    x60 = -n2_y*omega_z + n2_z*omega_y
+    # velocity of B_i (3) [m/s]
+    db2_x = de2*n2_x + e2*x60 + v_x
+    db2_y = de2*n2_y + e2*x59 + v_y
+    x61 = -n2_x*omega_y + n2_y*omega_x
+    db2_z = de2*n2_z + e2*x61 + v_z
+    # the part of the acceleration of an outer limb that the rates alone make (6) [m/s²]
+    bias2 = ((db2_x*db2_x) + (db2_y*db2_y) + (db2_z*db2_z) - (dq2*dq2) - (2.0*de2*(x35*x60 + x36*x59 + x37*x61) + e2*(n2_x*omega_x + n2_y*omega_y + n2_z*omega_z)*(omega_x*x35 + omega_y*x36 + omega_z*x37))/((p2*p2)))/q2
+    # acceleration of the outer limb 2 (15) [m/s²]
+    ddq2 = bias2 - x41*(h2*(domega_x*x38 + domega_y*x39 + domega_z*x40) + p2*(dv_x*x35 + dv_y*x36 + dv_z*x37))
+    x62 = n3_x*omega_z - n3_z*omega_x
+    # rate of e_i (4) [m/s]
+    de3 = x24*(-e3*(-SQRT3_2*x62 + arb(1)/2*n3_y*omega_z - arb(1)/2*n3_z*omega_y) + arb(1)/2*v_x + x58)
+    x63 = -n3_y*omega_z + n3_z*omega_y
+    # velocity of B_i (3) [m/s]
+    db3_x = de3*n3_x + e3*x63 + v_x
+    db3_y = de3*n3_y + e3*x62 + v_y
+    x64 = -n3_x*omega_y + n3_y*omega_x
+    db3_z = de3*n3_z + e3*x64 + v_z
+    # the part of the acceleration of an outer limb that the rates alone make (6) [m/s²]
+    bias3 = ((db3_x*db3_x) + (db3_y*db3_y) + (db3_z*db3_z) - (dq3*dq3) - (2.0*de3*(x42*x63 + x43*x62 + x44*x64) + e3*(n3_x*omega_x + n3_y*omega_y + n3_z*omega_z)*(omega_x*x42 + omega_y*x43 + omega_z*x44))/((p3*p3)))/q3
+    # acceleration of the outer limb 3 (15) [m/s²]
+    ddq3 = bias3 - x48*(h3*(domega_x*x45 + domega_y*x46 + domega_z*x47) + p3*(dv_x*x42 + dv_y*x43 + dv_z*x44))
+    # acceleration of the azimuth (16) [rad/s²]
+    ddq4 = x49*(c_x*dv_y - c_y*dv_x - dq4*(2.0*x50 + 2.0*x51))
+    # acceleration of the central limb's length (16) [m/s²]
+    ddq6 = x13*(c_x*dv_x + c_y*dv_y + c_z*dv_z - (dq6*dq6) + (v_x*v_x) + (v_y*v_y) + (v_z*v_z))
+    # acceleration of the elevation (16) [rad/s²]
+    ddq5 = x53*(dq5*dq5) + x52*(-ddq6*x14 - 2.0*dq5*dq6*r*x13 + dv_z)
+    return InverseAcceleration(
+        [dq1, dq2, dq3, dq4, dq5, dq6],
+        [ddq1, ddq2, ddq3, ddq4, ddq5, ddq6],
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
+class ForwardAcceleration(NamedTuple):
+    """What `forward_acceleration` returns."""
+
+    twist: Nested
+    twist_rate: Nested
+    extension: Nested
+    extension_scale: Nested
+    orientation: Nested
+    orientation_scale: Nested
+    incidence: Nested
+    scaled_legs: Nested
+    radial: Nested
+    central_length: Nested
+    reach: Nested
+
+
+def forward_acceleration(a: Nested, c: Nested, R: Nested, heading: Nested, rates: Nested, accelerations: Nested) -> ForwardAcceleration:
+    """Twist and its derivative from the joint rates and accelerations.
+
+    Equations (12), (17), differentiated of the paper; base frame.
+    631 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+    heading : nested list (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+    rates : nested list (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+    accelerations : nested list (..., 6)
+        q̈1 ... q̈6 [m/s², rad/s²]
+
+    Returns
+    -------
+    twist : nested list (..., 6)
+        [omega, v_C] [rad/s, m/s]
+    twist_rate : nested list (..., 6)
+        its derivative [rad/s², m/s²]
+    extension : nested list (..., 3)
+        signed distances e_i from C to B_i [m]
+    extension_scale : nested list (..., 3)
+        scales of the e_i [m]
+    orientation : nested list (...)
+        det[n_i × (d_i − c)] [m³]
+    orientation_scale : nested list (...)
+        scale of orientation [m³]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    scaled_legs : nested list (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : nested list (...)
+        distance of C from the Z axis [m]
+    central_length : nested list (...)
+        distance from O to C [m]
+    reach : nested list (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    SQRT3_2 = sqrt(arb(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    heading = _exact(heading)
+    rates = _exact(rates)
+    accelerations = _exact(accelerations)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    dq1, dq2, dq3, dq4, dq5, dq6 = rates
+    ddq1, ddq2, ddq3, ddq4, ddq5, ddq6 = accelerations
+    x0 = arb(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = arb(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = arb(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = arb(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = arb(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = arb(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    x14 = 1.0/n1_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1*x14
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x15 = absolute(n1_x)
+    x16 = 1.0/x15
+    # length of the outer limb (10) [m]
+    q1 = l1*x16
+    x17 = SQRT3_2*c_y
+    x18 = a + arb(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x17 + x18
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - arb(1)/2*n2_x
+    x19 = 1.0/p2
+    # signed distance from C to B_i (4) [m]
+    e2 = h2*x19
+    x20 = arb(1)/2*n2_y
+    x21 = arb(1)/2*c_y
+    x22 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - x20) + p2*(-x21 - x22)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    x23 = absolute(p2)
+    x24 = 1.0/x23
+    # length of the outer limb (10) [m]
+    q2 = l2*x24
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x17 + x18
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - arb(1)/2*n3_x
+    x25 = 1.0/p3
+    # signed distance from C to B_i (4) [m]
+    e3 = h3*x25
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - arb(1)/2*n3_y) + p3*(-x21 + x22)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x26 = absolute(p3)
+    x27 = 1.0/x26
+    # length of the outer limb (10) [m]
+    q3 = l3*x27
+    x28 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x28
+    axis_y = -heading_1*x28
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    x29 = arb(1)/2*nu_y
+    x30 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x29 - x30)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - arb(1)/2*m2_y)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x29 + x30)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - arb(1)/2*m3_y)
+    x31 = sigma2*tau3
+    x32 = sigma3*tau2
+    x33 = sigma3*tau1
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*x31 + sigma1*x32 + sigma2*x33
+    x34 = 1.0/((n1_x*n1_x))
+    x35 = 1.0/((p2*p2))
+    x36 = 1.0/((p3*p3))
+    x37 = SQRT3_2*x34*x35*x36
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = tilt*x37
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x38 = a + q6
+    # scale of e1 [m]
+    e_scale1 = x16*x38
+    # scale of e2 [m]
+    e_scale2 = x24*x38
+    # scale of e3 [m]
+    e_scale3 = x27*x38
+    x39 = absolute(sigma1)
+    x40 = absolute(sigma2)
+    x41 = absolute(sigma3)
+    x42 = absolute(tau2)
+    x43 = absolute(tau3)
+    x44 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = reach*x37*(x39*x40 + x39*x41 + x39*x42 + x39*x43 + x40*x41 + x40*x43 + x40*x44 + x41*x42 + x41*x44)
+    x45 = dq6*lambda_x
+    x46 = c_z*dq5
+    x47 = axis_y*x46
+    # velocity of C (12), (16) [m/s]
+    v_x = -c_y*dq4 + x45 + x47
+    x48 = dq6*lambda_y
+    x49 = axis_x*x46
+    v_y = c_x*dq4 + x48 - x49
+    x50 = dq6*lambda_z
+    x51 = axis_x*c_y - axis_y*c_x
+    v_z = dq5*x51 + x50
+    x52 = l1*x15
+    x53 = m1_x*tau1 + nu_x*sigma1
+    x54 = nu_y*sigma1
+    x55 = m1_y*tau1 + x54
+    x56 = nu_z*sigma1
+    x57 = m1_z*tau1 + x56
+    x58 = n1_x/h1
+    # what limb 1 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive1 = x58*(-dq1*x52 - v_x*x53 - v_y*x55 - v_z*x57)
+    x59 = l2*x23
+    x60 = m2_x*tau2 + nu_x*sigma2
+    x61 = nu_y*sigma2
+    x62 = m2_y*tau2 + x61
+    x63 = nu_z*sigma2
+    x64 = m2_z*tau2 + x63
+    x65 = p2/h2
+    # what limb 2 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive2 = x65*(-dq2*x59 - v_x*x60 - v_y*x62 - v_z*x64)
+    x66 = l3*x26
+    x67 = m3_x*tau3 + nu_x*sigma3
+    x68 = m3_y*tau3 + nu_y*sigma3
+    x69 = m3_z*tau3 + nu_z*sigma3
+    x70 = p3/h3
+    # what limb 3 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
+    drive3 = x70*(-dq3*x66 - v_x*x67 - v_y*x68 - v_z*x69)
+    x71 = sigma3*x30
+    x72 = -n2_x*x31 + n3_x*x32 + sigma2*x71
+    x73 = n1_x*sigma1
+    x74 = -n3_x*x33 + sigma1*x71 + tau3*x73
+    x75 = sigma2*tau1
+    x76 = n2_x*x75 + sigma1*sigma2*x30 - tau2*x73
+    x77 = arb(4)/3*SQRT3_2/tilt
+    # angular velocity (17) [rad/s]
+    omega_x = x77*(drive1*x72 + drive2*x74 + drive3*x76)
+    x78 = SQRT3_2*sigma3
+    x79 = -n2_y*x31 + n3_y*x32 + x61*x78
+    x80 = n1_y*sigma1
+    x81 = -n3_y*x33 + tau3*x80 + x54*x78
+    x82 = SQRT3_2*sigma2
+    x83 = n2_y*x75 - tau2*x80 + x54*x82
+    omega_y = x77*(drive1*x79 + drive2*x81 + drive3*x83)
+    x84 = -n2_z*x31 + n3_z*x32 + x63*x78
+    x85 = n1_z*sigma1
+    x86 = -n3_z*x33 + tau3*x85 + x56*x78
+    x87 = n2_z*x75 - tau2*x85 + x56*x82
+    omega_z = x77*(drive1*x84 + drive2*x86 + drive3*x87)
+    x88 = c_z*ddq5
+    x89 = dq5*v_z
+    x90 = dq6*x13
+    # acceleration of C (16) [m/s²]
+    dv_x = axis_y*x88 + axis_y*x89 - c_y*ddq4 + ddq6*lambda_x - dq4*v_y + dq4*x49 + x90*(v_x - x45)
+    dv_y = -axis_x*x88 - axis_x*x89 + c_x*ddq4 + ddq6*lambda_y + dq4*v_x + dq4*x47 + x90*(v_y - x48)
+    dv_z = ddq5*x51 + ddq6*lambda_z + dq4*dq5*(-axis_x*c_x - axis_y*c_y) + dq5*(axis_x*v_y - axis_y*v_x) + x90*(v_z - x50)
+    x91 = -n1_y*omega_z + n1_z*omega_y
+    x92 = e1*x91 + v_x
+    # rate of e_i (4) [m/s]
+    de1 = -x14*x92
+    # velocity of B_i (3) [m/s]
+    db1_x = de1*n1_x + x92
+    x93 = n1_x*omega_z - n1_z*omega_x
+    db1_y = de1*n1_y + e1*x93 + v_y
+    x94 = -n1_x*omega_y + n1_y*omega_x
+    db1_z = de1*n1_z + e1*x94 + v_z
+    # the part of the acceleration of an outer limb that the rates alone make (6) [m/s²]
+    bias1 = ((db1_x*db1_x) + (db1_y*db1_y) + (db1_z*db1_z) - (dq1*dq1) - x34*(2.0*de1*(x53*x91 + x55*x93 + x57*x94) + e1*(n1_x*omega_x + n1_y*omega_y + n1_z*omega_z)*(omega_x*x53 + omega_y*x55 + omega_z*x57)))/q1
+    # what limb 1 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²]
+    ddrive1 = x58*(-dv_x*x53 - dv_y*x55 - dv_z*x57 - x52*(-bias1 + ddq1))
+    x95 = SQRT3_2*v_y
+    x96 = n2_x*omega_z - n2_z*omega_x
+    # rate of e_i (4) [m/s]
+    de2 = x19*(-e2*(SQRT3_2*x96 - arb(1)/2*n2_z*omega_y + omega_z*x20) + arb(1)/2*v_x - x95)
+    x97 = -n2_y*omega_z + n2_z*omega_y
+    # velocity of B_i (3) [m/s]
+    db2_x = de2*n2_x + e2*x97 + v_x
+    db2_y = de2*n2_y + e2*x96 + v_y
+    x98 = -n2_x*omega_y + n2_y*omega_x
+    db2_z = de2*n2_z + e2*x98 + v_z
+    # the part of the acceleration of an outer limb that the rates alone make (6) [m/s²]
+    bias2 = ((db2_x*db2_x) + (db2_y*db2_y) + (db2_z*db2_z) - (dq2*dq2) - x35*(2.0*de2*(x60*x97 + x62*x96 + x64*x98) + e2*(n2_x*omega_x + n2_y*omega_y + n2_z*omega_z)*(omega_x*x60 + omega_y*x62 + omega_z*x64)))/q2
+    # what limb 2 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²]
+    ddrive2 = x65*(-dv_x*x60 - dv_y*x62 - dv_z*x64 - x59*(-bias2 + ddq2))
+    x99 = n3_x*omega_z - n3_z*omega_x
+    # rate of e_i (4) [m/s]
+    de3 = x25*(-e3*(-SQRT3_2*x99 + arb(1)/2*n3_y*omega_z - arb(1)/2*n3_z*omega_y) + arb(1)/2*v_x + x95)
+    x100 = -n3_y*omega_z + n3_z*omega_y
+    # velocity of B_i (3) [m/s]
+    db3_x = de3*n3_x + e3*x100 + v_x
+    db3_y = de3*n3_y + e3*x99 + v_y
+    x101 = -n3_x*omega_y + n3_y*omega_x
+    db3_z = de3*n3_z + e3*x101 + v_z
+    # the part of the acceleration of an outer limb that the rates alone make (6) [m/s²]
+    bias3 = ((db3_x*db3_x) + (db3_y*db3_y) + (db3_z*db3_z) - (dq3*dq3) - x36*(2.0*de3*(x100*x67 + x101*x69 + x68*x99) + e3*(n3_x*omega_x + n3_y*omega_y + n3_z*omega_z)*(omega_x*x67 + omega_y*x68 + omega_z*x69)))/q3
+    # what limb 3 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²]
+    ddrive3 = x70*(-dv_x*x67 - dv_y*x68 - dv_z*x69 - x66*(-bias3 + ddq3))
+    # angular acceleration (17) [rad/s²]
+    domega_x = x77*(ddrive1*x72 + ddrive2*x74 + ddrive3*x76)
+    domega_y = x77*(ddrive1*x79 + ddrive2*x81 + ddrive3*x83)
+    domega_z = x77*(ddrive1*x84 + ddrive2*x86 + ddrive3*x87)
+    return ForwardAcceleration(
+        [omega_x, omega_y, omega_z, v_x, v_y, v_z],
+        [domega_x, domega_y, domega_z, dv_x, dv_y, dv_z],
+        [e1, e2, e3],
+        [e_scale1, e_scale2, e_scale3],
+        orientation,
+        orientation_scale,
+        [n1_x, p2, p3],
+        [l1, l2, l3],
+        r,
+        q6,
+        reach,
+    )
+
+
 class InverseSingularity(NamedTuple):
     """What `inverse_singularity` returns."""
 

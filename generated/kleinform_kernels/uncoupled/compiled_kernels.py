@@ -23,8 +23,10 @@ from kleinform_kernels.uncoupled.numpy_kernels import (
     DirectSingularity,
     Eliminant,
     Fold,
+    ForwardAcceleration,
     ForwardVelocity,
     HalfTurn,
+    InverseAcceleration,
     InverseDisplacement,
     InverseSingularity,
     InverseVelocity,
@@ -1107,6 +1109,145 @@ def forward_velocity(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLik
             (
                 (6,),
                 (),
+                (3,),
+                (3,),
+                (),
+                (),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+_inverse_acceleration = _compiled.OnePose("inverse_acceleration", InverseAcceleration)
+
+
+def inverse_acceleration(a: ArrayLike, c: ArrayLike, R: ArrayLike, twist: ArrayLike, twist_rate: ArrayLike) -> InverseAcceleration:
+    """Joint rates and accelerations from the twist and its derivative.
+
+    Equations (15), (16), differentiated of the paper; base frame.
+    535 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    twist : array (..., 2, 3)
+        [omega, v_C] [rad/s, m/s]
+    twist_rate : array (..., 2, 3)
+        [d omega/dt, dv_C/dt] [rad/s², m/s²]
+
+    Returns
+    -------
+    rates : array (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+    accelerations : array (..., 6)
+        q̈1 ... q̈6 [m/s², rad/s²]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return _inverse_acceleration(a, c, R, twist, twist_rate) or InverseAcceleration(
+        *apply_compiled(
+            _compiled.inverse_acceleration,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("twist", twist, (2, 3)),
+                ("twist_rate", twist_rate, (2, 3)),
+            ),
+            (
+                (6,),
+                (6,),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+_forward_acceleration = _compiled.OnePose("forward_acceleration", ForwardAcceleration)
+
+
+def forward_acceleration(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLike, rates: ArrayLike, accelerations: ArrayLike) -> ForwardAcceleration:
+    """Twist and its derivative from the joint rates and accelerations.
+
+    Equations (12), (17), differentiated of the paper; base frame.
+    631 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    heading : array (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+    rates : array (..., 6)
+        q̇1 ... q̇6 [m/s, rad/s]
+    accelerations : array (..., 6)
+        q̈1 ... q̈6 [m/s², rad/s²]
+
+    Returns
+    -------
+    twist : array (..., 6)
+        [omega, v_C] [rad/s, m/s]
+    twist_rate : array (..., 6)
+        its derivative [rad/s², m/s²]
+    extension : array (..., 3)
+        signed distances e_i from C to B_i [m]
+    extension_scale : array (..., 3)
+        scales of the e_i [m]
+    orientation : array (...)
+        det[n_i × (d_i − c)] [m³]
+    orientation_scale : array (...)
+        scale of orientation [m³]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return _forward_acceleration(a, c, R, heading, rates, accelerations) or ForwardAcceleration(
+        *apply_compiled(
+            _compiled.forward_acceleration,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("heading", heading, (2,)),
+                ("rates", rates, (6,)),
+                ("accelerations", accelerations, (6,)),
+            ),
+            (
+                (6,),
+                (6,),
                 (3,),
                 (3,),
                 (),

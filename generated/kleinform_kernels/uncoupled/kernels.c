@@ -3830,6 +3830,624 @@ KLEINFORM_API void kleinform_forward_velocity(
     forward_velocity_body(1, &a, c, R, heading, rates, twist, determinant, extension, extension_scale, orientation, orientation_scale, incidence, scaled_legs, radial, central_length, reach);
 }
 
+KLEINFORM_BODY void inverse_acceleration_body(
+    size_t stride,
+    const double *RESTRICT in_a,
+    const double *RESTRICT in_c,
+    const double *RESTRICT in_R,
+    const double *RESTRICT in_twist,
+    const double *RESTRICT in_twist_rate,
+    double *RESTRICT out_rates,
+    double *RESTRICT out_accelerations,
+    double *RESTRICT out_incidence,
+    double *RESTRICT out_scaled_legs,
+    double *RESTRICT out_radial,
+    double *RESTRICT out_central_length,
+    double *RESTRICT out_reach)
+{
+    const double a = in_a[0];
+    const double c_x = in_c[0];
+    const double c_y = in_c[stride];
+    const double c_z = in_c[2 * stride];
+    const double n1_x = in_R[0];
+    const double m1_x = in_R[stride];
+    const double nu_x = in_R[2 * stride];
+    const double n1_y = in_R[3 * stride];
+    const double m1_y = in_R[4 * stride];
+    const double nu_y = in_R[5 * stride];
+    const double n1_z = in_R[6 * stride];
+    const double m1_z = in_R[7 * stride];
+    const double nu_z = in_R[8 * stride];
+    const double omega_x = in_twist[0];
+    const double omega_y = in_twist[stride];
+    const double omega_z = in_twist[2 * stride];
+    const double v_x = in_twist[3 * stride];
+    const double v_y = in_twist[4 * stride];
+    const double v_z = in_twist[5 * stride];
+    const double domega_x = in_twist_rate[0];
+    const double domega_y = in_twist_rate[stride];
+    const double domega_z = in_twist_rate[2 * stride];
+    const double dv_x = in_twist_rate[3 * stride];
+    const double dv_y = in_twist_rate[4 * stride];
+    const double dv_z = in_twist_rate[5 * stride];
+    const double x0 = 0.5*n1_x;
+    const double x1 = SQRT3_2*m1_x;
+    /* direction from C to B_2, n_1 turned by 120° about nu (5) [1] */
+    const double n2_x = -x0 + x1;
+    const double x2 = 0.5*n1_y;
+    const double x3 = SQRT3_2*m1_y;
+    const double n2_y = -x2 + x3;
+    const double x4 = 0.5*n1_z;
+    const double x5 = SQRT3_2*m1_z;
+    const double n2_z = -x4 + x5;
+    const double x6 = 0.5*m1_x;
+    const double x7 = SQRT3_2*n1_x;
+    /* platform direction normal to n_2 [1] */
+    const double m2_x = -x6 - x7;
+    const double x8 = 0.5*m1_y;
+    const double x9 = SQRT3_2*n1_y;
+    const double m2_y = -x8 - x9;
+    const double x10 = 0.5*m1_z;
+    const double x11 = SQRT3_2*n1_z;
+    const double m2_z = -x10 - x11;
+    /* direction from C to B_3, n_1 turned by 240° about nu (5) [1] */
+    const double n3_x = -x0 - x1;
+    const double n3_y = -x2 - x3;
+    const double n3_z = -x4 - x5;
+    /* platform direction normal to n_3 [1] */
+    const double m3_x = -x6 + x7;
+    const double m3_y = -x8 + x9;
+    const double m3_z = -x10 + x11;
+    const double x12 = (c_x*c_x) + (c_y*c_y);
+    /* length of the central limb (11) [m] */
+    const double q6 = sqrt((c_z*c_z) + x12);
+    /* distance of C from the Z axis (11) [m] */
+    const double r = sqrt(x12);
+    const double x13 = 1.0/q6;
+    /* unit vector along the central limb, from O to C (1) [1] */
+    const double lambda_x = c_x*x13;
+    const double lambda_y = c_y*x13;
+    const double x14 = c_z*x13;
+    const double lambda_z = x14;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h1 = a - c_x;
+    const double x15 = 1.0/n1_x;
+    /* signed distance from C to B_i (4) [m] */
+    const double e1 = h1*x15;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt1 = c_y*n1_x + h1*n1_y;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz1 = c_z*n1_x + h1*n1_z;
+    /* p_i times the leg, its length [m] */
+    const double l1 = sqrt((gt1*gt1) + (gz1*gz1));
+    const double x16 = 1.0/fabs(n1_x);
+    /* length of the outer limb (10) [m] */
+    const double q1 = l1*x16;
+    const double x17 = SQRT3_2*c_y;
+    const double x18 = a + 0.5*c_x;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h2 = -x17 + x18;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p2 = SQRT3_2*n2_y - 0.5*n2_x;
+    const double x19 = 1.0/p2;
+    /* signed distance from C to B_i (4) [m] */
+    const double e2 = h2*x19;
+    const double x20 = 0.5*n2_y;
+    const double x21 = 0.5*c_y;
+    const double x22 = SQRT3_2*c_x;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt2 = h2*(-SQRT3_2*n2_x - x20) + p2*(-x21 - x22);
+    /* p_i times the vertical part of the leg [m] */
+    const double gz2 = c_z*p2 + h2*n2_z;
+    /* p_i times the leg, its length [m] */
+    const double l2 = sqrt((gt2*gt2) + (gz2*gz2));
+    const double x23 = 1.0/fabs(p2);
+    /* length of the outer limb (10) [m] */
+    const double q2 = l2*x23;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h3 = x17 + x18;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p3 = -SQRT3_2*n3_y - 0.5*n3_x;
+    const double x24 = 1.0/p3;
+    /* signed distance from C to B_i (4) [m] */
+    const double e3 = h3*x24;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x21 + x22);
+    /* p_i times the vertical part of the leg [m] */
+    const double gz3 = c_z*p3 + h3*n3_z;
+    /* p_i times the leg, its length [m] */
+    const double l3 = sqrt((gt3*gt3) + (gz3*gz3));
+    const double x25 = 1.0/fabs(p3);
+    /* length of the outer limb (10) [m] */
+    const double q3 = l3*x25;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau1 = -gt1*nu_z + gz1*nu_y;
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma1 = gt1*m1_z - gz1*m1_y;
+    const double x26 = 0.5*nu_y;
+    const double x27 = SQRT3_2*nu_x;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau2 = -gt2*nu_z + gz2*(-x26 - x27);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y);
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau3 = -gt3*nu_z + gz3*(-x26 + x27);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y);
+    /* largest length in a leg's equations [m] */
+    const double reach = a + 2.0*q6;
+    const double x28 = m1_x*tau1 + nu_x*sigma1;
+    const double x29 = m1_y*tau1 + nu_y*sigma1;
+    const double x30 = m1_z*tau1 + nu_z*sigma1;
+    const double x31 = -m1_x*sigma1 + nu_x*tau1;
+    const double x32 = -m1_y*sigma1 + nu_y*tau1;
+    const double x33 = -m1_z*sigma1 + nu_z*tau1;
+    const double x34 = x15*x16/l1;
+    /* rate of the outer limb 1 (15) [m/s] */
+    const double dq1 = x34*(-h1*(omega_x*x31 + omega_y*x32 + omega_z*x33) - n1_x*(v_x*x28 + v_y*x29 + v_z*x30));
+    const double x35 = m2_x*tau2 + nu_x*sigma2;
+    const double x36 = m2_y*tau2 + nu_y*sigma2;
+    const double x37 = m2_z*tau2 + nu_z*sigma2;
+    const double x38 = -m2_x*sigma2 + nu_x*tau2;
+    const double x39 = -m2_y*sigma2 + nu_y*tau2;
+    const double x40 = -m2_z*sigma2 + nu_z*tau2;
+    const double x41 = x19*x23/l2;
+    /* rate of the outer limb 2 (15) [m/s] */
+    const double dq2 = x41*(-h2*(omega_x*x38 + omega_y*x39 + omega_z*x40) - p2*(v_x*x35 + v_y*x36 + v_z*x37));
+    const double x42 = m3_x*tau3 + nu_x*sigma3;
+    const double x43 = m3_y*tau3 + nu_y*sigma3;
+    const double x44 = m3_z*tau3 + nu_z*sigma3;
+    const double x45 = -m3_x*sigma3 + nu_x*tau3;
+    const double x46 = -m3_y*sigma3 + nu_y*tau3;
+    const double x47 = -m3_z*sigma3 + nu_z*tau3;
+    const double x48 = x24*x25/l3;
+    /* rate of the outer limb 3 (15) [m/s] */
+    const double dq3 = x48*(-h3*(omega_x*x45 + omega_y*x46 + omega_z*x47) - p3*(v_x*x42 + v_y*x43 + v_z*x44));
+    const double x49 = 1.0/((r*r));
+    /* rate of the azimuth (16) [rad/s] */
+    const double dq4 = x49*(c_x*v_y - c_y*v_x);
+    const double x50 = c_x*v_x;
+    const double x51 = c_y*v_y;
+    const double x52 = 1.0/r;
+    const double x53 = c_z*x52;
+    /* rate of the elevation (16) [rad/s] */
+    const double dq5 = (r*v_z - x53*(x50 + x51))/((q6*q6));
+    /* rate of the central limb's length (16) [m/s] */
+    const double dq6 = lambda_x*v_x + lambda_y*v_y + lambda_z*v_z;
+    const double x54 = -n1_y*omega_z + n1_z*omega_y;
+    const double x55 = e1*x54 + v_x;
+    /* rate of e_i (4) [m/s] */
+    const double de1 = -x15*x55;
+    /* velocity of B_i (3) [m/s] */
+    const double db1_x = de1*n1_x + x55;
+    const double x56 = n1_x*omega_z - n1_z*omega_x;
+    const double db1_y = de1*n1_y + e1*x56 + v_y;
+    const double x57 = -n1_x*omega_y + n1_y*omega_x;
+    const double db1_z = de1*n1_z + e1*x57 + v_z;
+    /* the part of the acceleration of an outer limb that the rates alone make (6) [m/s²] */
+    const double bias1 = ((db1_x*db1_x) + (db1_y*db1_y) + (db1_z*db1_z) - (dq1*dq1) - (2.0*de1*(x28*x54 + x29*x56 + x30*x57) + e1*(n1_x*omega_x + n1_y*omega_y + n1_z*omega_z)*(omega_x*x28 + omega_y*x29 + omega_z*x30))/((n1_x*n1_x)))/q1;
+    /* acceleration of the outer limb 1 (15) [m/s²] */
+    const double ddq1 = bias1 - x34*(h1*(domega_x*x31 + domega_y*x32 + domega_z*x33) + n1_x*(dv_x*x28 + dv_y*x29 + dv_z*x30));
+    const double x58 = SQRT3_2*v_y;
+    const double x59 = n2_x*omega_z - n2_z*omega_x;
+    /* rate of e_i (4) [m/s] */
+    const double de2 = x19*(-e2*(SQRT3_2*x59 - 0.5*n2_z*omega_y + omega_z*x20) + 0.5*v_x - x58);
+    const double x60 = -n2_y*omega_z + n2_z*omega_y;
+    /* velocity of B_i (3) [m/s] */
+    const double db2_x = de2*n2_x + e2*x60 + v_x;
+    const double db2_y = de2*n2_y + e2*x59 + v_y;
+    const double x61 = -n2_x*omega_y + n2_y*omega_x;
+    const double db2_z = de2*n2_z + e2*x61 + v_z;
+    /* the part of the acceleration of an outer limb that the rates alone make (6) [m/s²] */
+    const double bias2 = ((db2_x*db2_x) + (db2_y*db2_y) + (db2_z*db2_z) - (dq2*dq2) - (2.0*de2*(x35*x60 + x36*x59 + x37*x61) + e2*(n2_x*omega_x + n2_y*omega_y + n2_z*omega_z)*(omega_x*x35 + omega_y*x36 + omega_z*x37))/((p2*p2)))/q2;
+    /* acceleration of the outer limb 2 (15) [m/s²] */
+    const double ddq2 = bias2 - x41*(h2*(domega_x*x38 + domega_y*x39 + domega_z*x40) + p2*(dv_x*x35 + dv_y*x36 + dv_z*x37));
+    const double x62 = n3_x*omega_z - n3_z*omega_x;
+    /* rate of e_i (4) [m/s] */
+    const double de3 = x24*(-e3*(-SQRT3_2*x62 + 0.5*n3_y*omega_z - 0.5*n3_z*omega_y) + 0.5*v_x + x58);
+    const double x63 = -n3_y*omega_z + n3_z*omega_y;
+    /* velocity of B_i (3) [m/s] */
+    const double db3_x = de3*n3_x + e3*x63 + v_x;
+    const double db3_y = de3*n3_y + e3*x62 + v_y;
+    const double x64 = -n3_x*omega_y + n3_y*omega_x;
+    const double db3_z = de3*n3_z + e3*x64 + v_z;
+    /* the part of the acceleration of an outer limb that the rates alone make (6) [m/s²] */
+    const double bias3 = ((db3_x*db3_x) + (db3_y*db3_y) + (db3_z*db3_z) - (dq3*dq3) - (2.0*de3*(x42*x63 + x43*x62 + x44*x64) + e3*(n3_x*omega_x + n3_y*omega_y + n3_z*omega_z)*(omega_x*x42 + omega_y*x43 + omega_z*x44))/((p3*p3)))/q3;
+    /* acceleration of the outer limb 3 (15) [m/s²] */
+    const double ddq3 = bias3 - x48*(h3*(domega_x*x45 + domega_y*x46 + domega_z*x47) + p3*(dv_x*x42 + dv_y*x43 + dv_z*x44));
+    /* acceleration of the azimuth (16) [rad/s²] */
+    const double ddq4 = x49*(c_x*dv_y - c_y*dv_x - dq4*(2.0*x50 + 2.0*x51));
+    /* acceleration of the central limb's length (16) [m/s²] */
+    const double ddq6 = x13*(c_x*dv_x + c_y*dv_y + c_z*dv_z - (dq6*dq6) + (v_x*v_x) + (v_y*v_y) + (v_z*v_z));
+    /* acceleration of the elevation (16) [rad/s²] */
+    const double ddq5 = x53*(dq5*dq5) + x52*(-ddq6*x14 - 2.0*dq5*dq6*r*x13 + dv_z);
+    out_rates[0] = dq1;
+    out_rates[stride] = dq2;
+    out_rates[2 * stride] = dq3;
+    out_rates[3 * stride] = dq4;
+    out_rates[4 * stride] = dq5;
+    out_rates[5 * stride] = dq6;
+    out_accelerations[0] = ddq1;
+    out_accelerations[stride] = ddq2;
+    out_accelerations[2 * stride] = ddq3;
+    out_accelerations[3 * stride] = ddq4;
+    out_accelerations[4 * stride] = ddq5;
+    out_accelerations[5 * stride] = ddq6;
+    out_incidence[0] = n1_x;
+    out_incidence[stride] = p2;
+    out_incidence[2 * stride] = p3;
+    out_scaled_legs[0] = l1;
+    out_scaled_legs[stride] = l2;
+    out_scaled_legs[2 * stride] = l3;
+    out_radial[0] = r;
+    out_central_length[0] = q6;
+    out_reach[0] = reach;
+}
+
+KLEINFORM_API void kleinform_inverse_acceleration(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double twist[6],
+    const double twist_rate[6],
+    double rates[6],
+    double accelerations[6],
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach)
+{
+    inverse_acceleration_body(1, &a, c, R, twist, twist_rate, rates, accelerations, incidence, scaled_legs, radial, central_length, reach);
+}
+
+KLEINFORM_BODY void forward_acceleration_body(
+    size_t stride,
+    const double *RESTRICT in_a,
+    const double *RESTRICT in_c,
+    const double *RESTRICT in_R,
+    const double *RESTRICT in_heading,
+    const double *RESTRICT in_rates,
+    const double *RESTRICT in_accelerations,
+    double *RESTRICT out_twist,
+    double *RESTRICT out_twist_rate,
+    double *RESTRICT out_extension,
+    double *RESTRICT out_extension_scale,
+    double *RESTRICT out_orientation,
+    double *RESTRICT out_orientation_scale,
+    double *RESTRICT out_incidence,
+    double *RESTRICT out_scaled_legs,
+    double *RESTRICT out_radial,
+    double *RESTRICT out_central_length,
+    double *RESTRICT out_reach)
+{
+    const double a = in_a[0];
+    const double c_x = in_c[0];
+    const double c_y = in_c[stride];
+    const double c_z = in_c[2 * stride];
+    const double n1_x = in_R[0];
+    const double m1_x = in_R[stride];
+    const double nu_x = in_R[2 * stride];
+    const double n1_y = in_R[3 * stride];
+    const double m1_y = in_R[4 * stride];
+    const double nu_y = in_R[5 * stride];
+    const double n1_z = in_R[6 * stride];
+    const double m1_z = in_R[7 * stride];
+    const double nu_z = in_R[8 * stride];
+    const double heading_1 = in_heading[0];
+    const double heading_2 = in_heading[stride];
+    const double dq1 = in_rates[0];
+    const double dq2 = in_rates[stride];
+    const double dq3 = in_rates[2 * stride];
+    const double dq4 = in_rates[3 * stride];
+    const double dq5 = in_rates[4 * stride];
+    const double dq6 = in_rates[5 * stride];
+    const double ddq1 = in_accelerations[0];
+    const double ddq2 = in_accelerations[stride];
+    const double ddq3 = in_accelerations[2 * stride];
+    const double ddq4 = in_accelerations[3 * stride];
+    const double ddq5 = in_accelerations[4 * stride];
+    const double ddq6 = in_accelerations[5 * stride];
+    const double x0 = 0.5*n1_x;
+    const double x1 = SQRT3_2*m1_x;
+    /* direction from C to B_2, n_1 turned by 120° about nu (5) [1] */
+    const double n2_x = -x0 + x1;
+    const double x2 = 0.5*n1_y;
+    const double x3 = SQRT3_2*m1_y;
+    const double n2_y = -x2 + x3;
+    const double x4 = 0.5*n1_z;
+    const double x5 = SQRT3_2*m1_z;
+    const double n2_z = -x4 + x5;
+    const double x6 = 0.5*m1_x;
+    const double x7 = SQRT3_2*n1_x;
+    /* platform direction normal to n_2 [1] */
+    const double m2_x = -x6 - x7;
+    const double x8 = 0.5*m1_y;
+    const double x9 = SQRT3_2*n1_y;
+    const double m2_y = -x8 - x9;
+    const double x10 = 0.5*m1_z;
+    const double x11 = SQRT3_2*n1_z;
+    const double m2_z = -x10 - x11;
+    /* direction from C to B_3, n_1 turned by 240° about nu (5) [1] */
+    const double n3_x = -x0 - x1;
+    const double n3_y = -x2 - x3;
+    const double n3_z = -x4 - x5;
+    /* platform direction normal to n_3 [1] */
+    const double m3_x = -x6 + x7;
+    const double m3_y = -x8 + x9;
+    const double m3_z = -x10 + x11;
+    const double x12 = (c_x*c_x) + (c_y*c_y);
+    /* length of the central limb (11) [m] */
+    const double q6 = sqrt((c_z*c_z) + x12);
+    /* distance of C from the Z axis (11) [m] */
+    const double r = sqrt(x12);
+    const double x13 = 1.0/q6;
+    /* unit vector along the central limb, from O to C (1) [1] */
+    const double lambda_x = c_x*x13;
+    const double lambda_y = c_y*x13;
+    const double lambda_z = c_z*x13;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h1 = a - c_x;
+    const double x14 = 1.0/n1_x;
+    /* signed distance from C to B_i (4) [m] */
+    const double e1 = h1*x14;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt1 = c_y*n1_x + h1*n1_y;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz1 = c_z*n1_x + h1*n1_z;
+    /* p_i times the leg, its length [m] */
+    const double l1 = sqrt((gt1*gt1) + (gz1*gz1));
+    const double x15 = fabs(n1_x);
+    const double x16 = 1.0/x15;
+    /* length of the outer limb (10) [m] */
+    const double q1 = l1*x16;
+    const double x17 = SQRT3_2*c_y;
+    const double x18 = a + 0.5*c_x;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h2 = -x17 + x18;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p2 = SQRT3_2*n2_y - 0.5*n2_x;
+    const double x19 = 1.0/p2;
+    /* signed distance from C to B_i (4) [m] */
+    const double e2 = h2*x19;
+    const double x20 = 0.5*n2_y;
+    const double x21 = 0.5*c_y;
+    const double x22 = SQRT3_2*c_x;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt2 = h2*(-SQRT3_2*n2_x - x20) + p2*(-x21 - x22);
+    /* p_i times the vertical part of the leg [m] */
+    const double gz2 = c_z*p2 + h2*n2_z;
+    /* p_i times the leg, its length [m] */
+    const double l2 = sqrt((gt2*gt2) + (gz2*gz2));
+    const double x23 = fabs(p2);
+    const double x24 = 1.0/x23;
+    /* length of the outer limb (10) [m] */
+    const double q2 = l2*x24;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h3 = x17 + x18;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p3 = -SQRT3_2*n3_y - 0.5*n3_x;
+    const double x25 = 1.0/p3;
+    /* signed distance from C to B_i (4) [m] */
+    const double e3 = h3*x25;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x21 + x22);
+    /* p_i times the vertical part of the leg [m] */
+    const double gz3 = c_z*p3 + h3*n3_z;
+    /* p_i times the leg, its length [m] */
+    const double l3 = sqrt((gt3*gt3) + (gz3*gz3));
+    const double x26 = fabs(p3);
+    const double x27 = 1.0/x26;
+    /* length of the outer limb (10) [m] */
+    const double q3 = l3*x27;
+    const double x28 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)));
+    /* axis of the second revolute of the central limb Section IV [1] */
+    const double axis_x = heading_2*x28;
+    const double axis_y = -heading_1*x28;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau1 = -gt1*nu_z + gz1*nu_y;
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma1 = gt1*m1_z - gz1*m1_y;
+    const double x29 = 0.5*nu_y;
+    const double x30 = SQRT3_2*nu_x;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau2 = -gt2*nu_z + gz2*(-x29 - x30);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y);
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau3 = -gt3*nu_z + gz3*(-x29 + x30);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y);
+    const double x31 = sigma2*tau3;
+    const double x32 = sigma3*tau2;
+    const double x33 = sigma3*tau1;
+    /* the three lines S_i in the platform frame (27) [m³] */
+    const double tilt = sigma1*x31 + sigma1*x32 + sigma2*x33;
+    const double x34 = 1.0/((n1_x*n1_x));
+    const double x35 = 1.0/((p2*p2));
+    const double x36 = 1.0/((p3*p3));
+    const double x37 = SQRT3_2*x34*x35*x36;
+    /* orientation: the moments of B_iD_i about C are coplanar (27) [m³] */
+    const double orientation = tilt*x37;
+    /* largest length in a leg's equations [m] */
+    const double reach = a + 2.0*q6;
+    const double x38 = a + q6;
+    /* scale of e1 [m] */
+    const double e_scale1 = x16*x38;
+    /* scale of e2 [m] */
+    const double e_scale2 = x24*x38;
+    /* scale of e3 [m] */
+    const double e_scale3 = x27*x38;
+    const double x39 = fabs(sigma1);
+    const double x40 = fabs(sigma2);
+    const double x41 = fabs(sigma3);
+    const double x42 = fabs(tau2);
+    const double x43 = fabs(tau3);
+    const double x44 = fabs(tau1);
+    /* scale of the orientation factor [m³] */
+    const double orientation_scale = reach*x37*(x39*x40 + x39*x41 + x39*x42 + x39*x43 + x40*x41 + x40*x43 + x40*x44 + x41*x42 + x41*x44);
+    const double x45 = dq6*lambda_x;
+    const double x46 = c_z*dq5;
+    const double x47 = axis_y*x46;
+    /* velocity of C (12), (16) [m/s] */
+    const double v_x = -c_y*dq4 + x45 + x47;
+    const double x48 = dq6*lambda_y;
+    const double x49 = axis_x*x46;
+    const double v_y = c_x*dq4 + x48 - x49;
+    const double x50 = dq6*lambda_z;
+    const double x51 = axis_x*c_y - axis_y*c_x;
+    const double v_z = dq5*x51 + x50;
+    const double x52 = l1*x15;
+    const double x53 = m1_x*tau1 + nu_x*sigma1;
+    const double x54 = nu_y*sigma1;
+    const double x55 = m1_y*tau1 + x54;
+    const double x56 = nu_z*sigma1;
+    const double x57 = m1_z*tau1 + x56;
+    const double x58 = n1_x/h1;
+    /* what limb 1 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s] */
+    const double drive1 = x58*(-dq1*x52 - v_x*x53 - v_y*x55 - v_z*x57);
+    const double x59 = l2*x23;
+    const double x60 = m2_x*tau2 + nu_x*sigma2;
+    const double x61 = nu_y*sigma2;
+    const double x62 = m2_y*tau2 + x61;
+    const double x63 = nu_z*sigma2;
+    const double x64 = m2_z*tau2 + x63;
+    const double x65 = p2/h2;
+    /* what limb 2 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s] */
+    const double drive2 = x65*(-dq2*x59 - v_x*x60 - v_y*x62 - v_z*x64);
+    const double x66 = l3*x26;
+    const double x67 = m3_x*tau3 + nu_x*sigma3;
+    const double x68 = m3_y*tau3 + nu_y*sigma3;
+    const double x69 = m3_z*tau3 + nu_z*sigma3;
+    const double x70 = p3/h3;
+    /* what limb 3 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s] */
+    const double drive3 = x70*(-dq3*x66 - v_x*x67 - v_y*x68 - v_z*x69);
+    const double x71 = sigma3*x30;
+    const double x72 = -n2_x*x31 + n3_x*x32 + sigma2*x71;
+    const double x73 = n1_x*sigma1;
+    const double x74 = -n3_x*x33 + sigma1*x71 + tau3*x73;
+    const double x75 = sigma2*tau1;
+    const double x76 = n2_x*x75 + sigma1*sigma2*x30 - tau2*x73;
+    const double x77 = 1.3333333333333333*SQRT3_2/tilt;
+    /* angular velocity (17) [rad/s] */
+    const double omega_x = x77*(drive1*x72 + drive2*x74 + drive3*x76);
+    const double x78 = SQRT3_2*sigma3;
+    const double x79 = -n2_y*x31 + n3_y*x32 + x61*x78;
+    const double x80 = n1_y*sigma1;
+    const double x81 = -n3_y*x33 + tau3*x80 + x54*x78;
+    const double x82 = SQRT3_2*sigma2;
+    const double x83 = n2_y*x75 - tau2*x80 + x54*x82;
+    const double omega_y = x77*(drive1*x79 + drive2*x81 + drive3*x83);
+    const double x84 = -n2_z*x31 + n3_z*x32 + x63*x78;
+    const double x85 = n1_z*sigma1;
+    const double x86 = -n3_z*x33 + tau3*x85 + x56*x78;
+    const double x87 = n2_z*x75 - tau2*x85 + x56*x82;
+    const double omega_z = x77*(drive1*x84 + drive2*x86 + drive3*x87);
+    const double x88 = c_z*ddq5;
+    const double x89 = dq5*v_z;
+    const double x90 = dq6*x13;
+    /* acceleration of C (16) [m/s²] */
+    const double dv_x = axis_y*x88 + axis_y*x89 - c_y*ddq4 + ddq6*lambda_x - dq4*v_y + dq4*x49 + x90*(v_x - x45);
+    const double dv_y = -axis_x*x88 - axis_x*x89 + c_x*ddq4 + ddq6*lambda_y + dq4*v_x + dq4*x47 + x90*(v_y - x48);
+    const double dv_z = ddq5*x51 + ddq6*lambda_z + dq4*dq5*(-axis_x*c_x - axis_y*c_y) + dq5*(axis_x*v_y - axis_y*v_x) + x90*(v_z - x50);
+    const double x91 = -n1_y*omega_z + n1_z*omega_y;
+    const double x92 = e1*x91 + v_x;
+    /* rate of e_i (4) [m/s] */
+    const double de1 = -x14*x92;
+    /* velocity of B_i (3) [m/s] */
+    const double db1_x = de1*n1_x + x92;
+    const double x93 = n1_x*omega_z - n1_z*omega_x;
+    const double db1_y = de1*n1_y + e1*x93 + v_y;
+    const double x94 = -n1_x*omega_y + n1_y*omega_x;
+    const double db1_z = de1*n1_z + e1*x94 + v_z;
+    /* the part of the acceleration of an outer limb that the rates alone make (6) [m/s²] */
+    const double bias1 = ((db1_x*db1_x) + (db1_y*db1_y) + (db1_z*db1_z) - (dq1*dq1) - x34*(2.0*de1*(x53*x91 + x55*x93 + x57*x94) + e1*(n1_x*omega_x + n1_y*omega_y + n1_z*omega_z)*(omega_x*x53 + omega_y*x55 + omega_z*x57)))/q1;
+    /* what limb 1 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²] */
+    const double ddrive1 = x58*(-dv_x*x53 - dv_y*x55 - dv_z*x57 - x52*(-bias1 + ddq1));
+    const double x95 = SQRT3_2*v_y;
+    const double x96 = n2_x*omega_z - n2_z*omega_x;
+    /* rate of e_i (4) [m/s] */
+    const double de2 = x19*(-e2*(SQRT3_2*x96 - 0.5*n2_z*omega_y + omega_z*x20) + 0.5*v_x - x95);
+    const double x97 = -n2_y*omega_z + n2_z*omega_y;
+    /* velocity of B_i (3) [m/s] */
+    const double db2_x = de2*n2_x + e2*x97 + v_x;
+    const double db2_y = de2*n2_y + e2*x96 + v_y;
+    const double x98 = -n2_x*omega_y + n2_y*omega_x;
+    const double db2_z = de2*n2_z + e2*x98 + v_z;
+    /* the part of the acceleration of an outer limb that the rates alone make (6) [m/s²] */
+    const double bias2 = ((db2_x*db2_x) + (db2_y*db2_y) + (db2_z*db2_z) - (dq2*dq2) - x35*(2.0*de2*(x60*x97 + x62*x96 + x64*x98) + e2*(n2_x*omega_x + n2_y*omega_y + n2_z*omega_z)*(omega_x*x60 + omega_y*x62 + omega_z*x64)))/q2;
+    /* what limb 2 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²] */
+    const double ddrive2 = x65*(-dv_x*x60 - dv_y*x62 - dv_z*x64 - x59*(-bias2 + ddq2));
+    const double x99 = n3_x*omega_z - n3_z*omega_x;
+    /* rate of e_i (4) [m/s] */
+    const double de3 = x25*(-e3*(-SQRT3_2*x99 + 0.5*n3_y*omega_z - 0.5*n3_z*omega_y) + 0.5*v_x + x95);
+    const double x100 = -n3_y*omega_z + n3_z*omega_y;
+    /* velocity of B_i (3) [m/s] */
+    const double db3_x = de3*n3_x + e3*x100 + v_x;
+    const double db3_y = de3*n3_y + e3*x99 + v_y;
+    const double x101 = -n3_x*omega_y + n3_y*omega_x;
+    const double db3_z = de3*n3_z + e3*x101 + v_z;
+    /* the part of the acceleration of an outer limb that the rates alone make (6) [m/s²] */
+    const double bias3 = ((db3_x*db3_x) + (db3_y*db3_y) + (db3_z*db3_z) - (dq3*dq3) - x36*(2.0*de3*(x100*x67 + x101*x69 + x68*x99) + e3*(n3_x*omega_x + n3_y*omega_y + n3_z*omega_z)*(omega_x*x67 + omega_y*x68 + omega_z*x69)))/q3;
+    /* what limb 3 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²] */
+    const double ddrive3 = x70*(-dv_x*x67 - dv_y*x68 - dv_z*x69 - x66*(-bias3 + ddq3));
+    /* angular acceleration (17) [rad/s²] */
+    const double domega_x = x77*(ddrive1*x72 + ddrive2*x74 + ddrive3*x76);
+    const double domega_y = x77*(ddrive1*x79 + ddrive2*x81 + ddrive3*x83);
+    const double domega_z = x77*(ddrive1*x84 + ddrive2*x86 + ddrive3*x87);
+    out_twist[0] = omega_x;
+    out_twist[stride] = omega_y;
+    out_twist[2 * stride] = omega_z;
+    out_twist[3 * stride] = v_x;
+    out_twist[4 * stride] = v_y;
+    out_twist[5 * stride] = v_z;
+    out_twist_rate[0] = domega_x;
+    out_twist_rate[stride] = domega_y;
+    out_twist_rate[2 * stride] = domega_z;
+    out_twist_rate[3 * stride] = dv_x;
+    out_twist_rate[4 * stride] = dv_y;
+    out_twist_rate[5 * stride] = dv_z;
+    out_extension[0] = e1;
+    out_extension[stride] = e2;
+    out_extension[2 * stride] = e3;
+    out_extension_scale[0] = e_scale1;
+    out_extension_scale[stride] = e_scale2;
+    out_extension_scale[2 * stride] = e_scale3;
+    out_orientation[0] = orientation;
+    out_orientation_scale[0] = orientation_scale;
+    out_incidence[0] = n1_x;
+    out_incidence[stride] = p2;
+    out_incidence[2 * stride] = p3;
+    out_scaled_legs[0] = l1;
+    out_scaled_legs[stride] = l2;
+    out_scaled_legs[2 * stride] = l3;
+    out_radial[0] = r;
+    out_central_length[0] = q6;
+    out_reach[0] = reach;
+}
+
+KLEINFORM_API void kleinform_forward_acceleration(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double heading[2],
+    const double rates[6],
+    const double accelerations[6],
+    double twist[6],
+    double twist_rate[6],
+    double extension[3],
+    double extension_scale[3],
+    double *orientation,
+    double *orientation_scale,
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach)
+{
+    forward_acceleration_body(1, &a, c, R, heading, rates, accelerations, twist, twist_rate, extension, extension_scale, orientation, orientation_scale, incidence, scaled_legs, radial, central_length, reach);
+}
+
 KLEINFORM_BODY void inverse_singularity_body(
     size_t stride,
     const double *RESTRICT in_a,

@@ -429,6 +429,72 @@ KLEINFORM_API void kleinform_forward_velocity(
     double *central_length,
     double *reach);
 
+/* Joint rates and accelerations from the twist and its derivative.
+   Equations (15), (16), differentiated of the paper; base frame.
+   in  a: radius of the circle through A_1, A_2, A_3 [m]
+   in  c[3]: position of the platform's centre C [m]
+   in  R[3][3]: rotation of the platform [1]
+   in  twist[2][3]: [omega, v_C] [rad/s, m/s]
+   in  twist_rate[2][3]: [d omega/dt, dv_C/dt] [rad/s², m/s²]
+   out rates[6]: q̇1 ... q̇6 [m/s, rad/s]
+   out accelerations[6]: q̈1 ... q̈6 [m/s², rad/s²]
+   out incidence[3]: n_i·u_i [1]
+   out scaled_legs[3]: |n_i·u_i| q_i [m]
+   out radial: distance of C from the Z axis [m]
+   out central_length: distance from O to C [m]
+   out reach: a + 2 |c|, against which the legs' rounding is judged [m] */
+KLEINFORM_API void kleinform_inverse_acceleration(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double twist[6],
+    const double twist_rate[6],
+    double rates[6],
+    double accelerations[6],
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach);
+
+/* Twist and its derivative from the joint rates and accelerations.
+   Equations (12), (17), differentiated of the paper; base frame.
+   in  a: radius of the circle through A_1, A_2, A_3 [m]
+   in  c[3]: position of the platform's centre C [m]
+   in  R[3][3]: rotation of the platform [1]
+   in  heading[2]: horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+   in  rates[6]: q̇1 ... q̇6 [m/s, rad/s]
+   in  accelerations[6]: q̈1 ... q̈6 [m/s², rad/s²]
+   out twist[6]: [omega, v_C] [rad/s, m/s]
+   out twist_rate[6]: its derivative [rad/s², m/s²]
+   out extension[3]: signed distances e_i from C to B_i [m]
+   out extension_scale[3]: scales of the e_i [m]
+   out orientation: det[n_i × (d_i − c)] [m³]
+   out orientation_scale: scale of orientation [m³]
+   out incidence[3]: n_i·u_i [1]
+   out scaled_legs[3]: |n_i·u_i| q_i [m]
+   out radial: distance of C from the Z axis [m]
+   out central_length: distance from O to C [m]
+   out reach: a + 2 |c|, against which the legs' rounding is judged [m] */
+KLEINFORM_API void kleinform_forward_acceleration(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double heading[2],
+    const double rates[6],
+    const double accelerations[6],
+    double twist[6],
+    double twist_rate[6],
+    double extension[3],
+    double extension_scale[3],
+    double *orientation,
+    double *orientation_scale,
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach);
+
 /* det J_q and its factors: the product of limb, central and wrist.
    Equations (22)-(26) of the paper; base frame.
    in  a: radius of the circle through A_1, A_2, A_3 [m]

@@ -285,6 +285,30 @@ static void forward_velocity_lanes(const double *RESTRICT in, double *RESTRICT o
         forward_velocity_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, in + 4 * LANES + lane, in + 13 * LANES + lane, in + 15 * LANES + lane, out + 0 * LANES + lane, out + 6 * LANES + lane, out + 7 * LANES + lane, out + 10 * LANES + lane, out + 13 * LANES + lane, out + 14 * LANES + lane, out + 15 * LANES + lane, out + 18 * LANES + lane, out + 21 * LANES + lane, out + 22 * LANES + lane, out + 23 * LANES + lane);
 }
 
+static void inverse_acceleration_one(const double *RESTRICT in, double *RESTRICT out)
+{
+    inverse_acceleration_body(1, in + 0, in + 1, in + 4, in + 13, in + 19, out + 0, out + 6, out + 12, out + 15, out + 18, out + 19, out + 20);
+}
+
+static void inverse_acceleration_lanes(const double *RESTRICT in, double *RESTRICT out)
+{
+    SIMD
+    for (size_t lane = 0; lane < LANES; ++lane)
+        inverse_acceleration_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, in + 4 * LANES + lane, in + 13 * LANES + lane, in + 19 * LANES + lane, out + 0 * LANES + lane, out + 6 * LANES + lane, out + 12 * LANES + lane, out + 15 * LANES + lane, out + 18 * LANES + lane, out + 19 * LANES + lane, out + 20 * LANES + lane);
+}
+
+static void forward_acceleration_one(const double *RESTRICT in, double *RESTRICT out)
+{
+    forward_acceleration_body(1, in + 0, in + 1, in + 4, in + 13, in + 15, in + 21, out + 0, out + 6, out + 12, out + 15, out + 18, out + 19, out + 20, out + 23, out + 26, out + 27, out + 28);
+}
+
+static void forward_acceleration_lanes(const double *RESTRICT in, double *RESTRICT out)
+{
+    SIMD
+    for (size_t lane = 0; lane < LANES; ++lane)
+        forward_acceleration_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, in + 4 * LANES + lane, in + 13 * LANES + lane, in + 15 * LANES + lane, in + 21 * LANES + lane, out + 0 * LANES + lane, out + 6 * LANES + lane, out + 12 * LANES + lane, out + 15 * LANES + lane, out + 18 * LANES + lane, out + 19 * LANES + lane, out + 20 * LANES + lane, out + 23 * LANES + lane, out + 26 * LANES + lane, out + 27 * LANES + lane, out + 28 * LANES + lane);
+}
+
 static void inverse_singularity_one(const double *RESTRICT in, double *RESTRICT out)
 {
     inverse_singularity_body(1, in + 0, in + 1, in + 4, out + 0, out + 1, out + 4, out + 5, out + 6, out + 9, out + 10);
@@ -437,6 +461,16 @@ static const struct kernel kernels[] = {
      5, 11, 21, 24,
      {{0, 0}, {3, 0}, {3, 3}, {2, 0}, {6, 0}, {6, 0}, {0, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {0, 0}},
      forward_velocity_one, forward_velocity_lanes},
+    {"inverse_acceleration", "(),(3),(3,3),(2,3),(2,3)->(6),(6),(3),(3),(),(),()",
+     "Joint rates and accelerations from the twist and its derivative.",
+     5, 7, 25, 21,
+     {{0, 0}, {3, 0}, {3, 3}, {2, 3}, {2, 3}, {6, 0}, {6, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {0, 0}},
+     inverse_acceleration_one, inverse_acceleration_lanes},
+    {"forward_acceleration", "(),(3),(3,3),(2),(6),(6)->(6),(6),(3),(3),(),(),(3),(3),(),(),()",
+     "Twist and its derivative from the joint rates and accelerations.",
+     6, 11, 27, 29,
+     {{0, 0}, {3, 0}, {3, 3}, {2, 0}, {6, 0}, {6, 0}, {6, 0}, {6, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {0, 0}},
+     forward_acceleration_one, forward_acceleration_lanes},
     {"inverse_singularity", "(),(3),(3,3)->(),(3),(),(),(3),(),()",
      "det J_q and its factors: the product of limb, central and wrist.",
      3, 7, 13, 11,
@@ -455,5 +489,5 @@ static const struct kernel kernels[] = {
 };
 
 const struct table VARIANT_OF(kleinform_table) = {
-    26, 3533486438UL, kernels,
+    28, 4257696193UL, kernels,
 };
