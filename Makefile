@@ -22,7 +22,7 @@ $(READY): $(SOURCES)
 
 derive: $(READY) ## derive, prove and regenerate generated/
 	@$(BIN)/python -m derivations derive
-	@$(MAKE) --no-print-directory $(READY)
+	@$(MAKE) --silent $(READY)
 
 check-generated: $(READY) ## regenerate aside and compare byte by byte
 	@$(BIN)/python -m derivations check

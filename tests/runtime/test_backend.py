@@ -73,7 +73,7 @@ def test_no_compiled_kernels(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.delenv("KLEINFORM_BACKEND", raising=False)
     name, _, reason = _backend._chosen()
     assert name == "numpy"
-    assert reason.startswith("there are no compiled kernels: ")
+    assert reason.startswith("there are no compiled kernels (")
     monkeypatch.setenv("KLEINFORM_BACKEND", "compiled")
     with pytest.raises(ImportError, match="no compiled kernels"):
         _backend._chosen()

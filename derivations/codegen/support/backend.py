@@ -25,7 +25,7 @@ def _chosen() -> tuple[str, str, str]:
     try:
         compiled = import_module("kleinform_kernels.uncoupled._compiled")
     except ImportError as error:
-        reason = f"there are no compiled kernels: {error}"
+        reason = f"there are no compiled kernels (they need a C compiler to install): {error}"
     else:
         if compiled.CHECKSUM == COMPILED:
             return "compiled", compiled.instructions(), ""
