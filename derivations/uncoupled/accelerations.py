@@ -6,21 +6,24 @@ alone make: ``{S_i; A} = (q̈_i − bias_i) {S_i; ¹$_i²}`` with ``A = [d omega
 
 from __future__ import annotations
 
-from sympy import Abs, Expr, ImmutableDenseMatrix, ZeroMatrix
+from sympy import ImmutableDenseMatrix, ZeroMatrix
 
 from derivations.algebra.equations import Equation, Graph
 from derivations.algebra.screws import Klein, Screw
 from derivations.algebra.vectors import Cross, Dot, matrix, scalar, vector
 from derivations.uncoupled.displacement import lam, q6, r
-from derivations.uncoupled.geometry import LIMBS, ROOT, base_i, base_j, base_k, c, nu
+from derivations.uncoupled.geometry import LIMBS, base_i, base_j, base_k, c, nu
 from derivations.uncoupled.rates import (
     RATES,
+    drive_of_limb,
+    driven,
     forward_velocity_graph,
     inverse_velocity_graph,
+    lever,
+    line_on,
     omega,
     velocity,
 )
-from derivations.uncoupled.singularity import tilt
 from derivations.uncoupled.velocity import axis
 
 #: Angular acceleration of the platform, and acceleration of C.
@@ -68,10 +71,6 @@ def inverse_accelerations() -> list[Equation]:
     change = Screw(angular, linear)
     equations = []
     for i in LIMBS:
-        p, h, length = (scalar(f"{name}{i}") for name in ("p", "h", "l"))
-        m, tau, sigma = vector(f"m{i}"), scalar(f"tau{i}"), scalar(f"sigma{i}")
-        force = p * Dot(tau * m + sigma * nu, linear)
-        torque = h * Dot(tau * nu - sigma * m, angular)
         bias = scalar(f"bias{i}")
         equations += biases(i)
         equations.append(
@@ -81,7 +80,7 @@ def inverse_accelerations() -> list[Equation]:
                 f"acceleration of the outer limb {i}",
                 "(15)",
                 "m/s²",
-                computed_as=bias - (force + torque) / (p * Abs(p) * length),
+                computed_as=bias - line_on(i, angular, linear) / lever(i),
             )
         )
     height = Dot(c, base_k)
@@ -149,32 +148,20 @@ def forward_accelerations() -> list[Equation]:
             "m/s²",
         )
     ]
-    total: Expr = ZERO
     for i in LIMBS:
-        j, k = i % 3 + 1, (i + 1) % 3 + 1
-        h, p, length, asked = (scalar(f"{name}{i}") for name in ("h", "p", "l", "ddrive"))
-        force = Dot(scalar(f"tau{i}") * vector(f"m{i}") + scalar(f"sigma{i}") * nu, linear)
-        free = ACCELERATIONS[i - 1] - scalar(f"bias{i}")
         equations += biases(i)
         equations.append(
             Equation(
-                asked,
-                -(Abs(p) * length * free + force) * p / h,
+                scalar(f"ddrive{i}"),
+                drive_of_limb(i, ACCELERATIONS[i - 1] - scalar(f"bias{i}"), linear),
                 f"what limb {i} asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt",
                 "(15)",
                 "m/s²",
             )
         )
-        tau_j, sigma_j = scalar(f"tau{j}"), scalar(f"sigma{j}")
-        tau_k, sigma_k = scalar(f"tau{k}"), scalar(f"sigma{k}")
-        total += asked * (
-            tau_j * sigma_k * vector(f"n{k}")
-            - sigma_j * tau_k * vector(f"n{j}")
-            + ROOT * sigma_j * sigma_k * nu
-        )
     return [
         *equations,
-        Equation(angular, total / (ROOT * tilt), "angular acceleration", "(17)", "rad/s²"),
+        Equation(angular, driven("ddrive"), "angular acceleration", "(17)", "rad/s²"),
         Equation(
             matrix("dV", 6, 1),
             Screw(angular, linear),

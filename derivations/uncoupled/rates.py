@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from sympy import Abs, ImmutableDenseMatrix, ZeroMatrix
+from sympy import Abs, Basic, Expr, ImmutableDenseMatrix, ZeroMatrix
 
 from derivations.algebra.equations import Equation, Graph
 from derivations.algebra.screws import Klein, Screw
@@ -18,27 +18,58 @@ RATES = tuple(scalar(f"dq{index}") for index in range(1, 7))
 ZERO = ZeroMatrix(3, 1)
 
 
+def line_on(i: int, angular: Basic, linear: Basic) -> Expr:
+    """The Klein form of S_i and a twist, or its derivative, times p_i rho_i."""
+    p, h = scalar(f"p{i}"), scalar(f"h{i}")
+    m, tau, sigma = vector(f"m{i}"), scalar(f"tau{i}"), scalar(f"sigma{i}")
+    force = p * Dot(tau * m + sigma * nu, linear)
+    torque = h * Dot(tau * nu - sigma * m, angular)
+    return force + torque
+
+
+def lever(i: int) -> Expr:
+    """The Klein form of S_i and the actuated screw, times −p_i rho_i."""
+    p = scalar(f"p{i}")
+    return p * Abs(p) * scalar(f"l{i}")
+
+
+def drive_of_limb(i: int, along: Basic, linear: Basic) -> Expr:
+    """What the limb's row asks of omega, or of its derivative, when q_i moves so."""
+    h, p, length = (scalar(f"{name}{i}") for name in ("h", "p", "l"))
+    force = Dot(scalar(f"tau{i}") * vector(f"m{i}") + scalar(f"sigma{i}") * nu, linear)
+    return -(Abs(p) * length * along + force) * p / h
+
+
+def driven(name: str) -> Basic:
+    """The 3×3 of the rows ``τ_i ν − σ_i m_i`` solved for the drives of this name."""
+    total = ZERO
+    for i in LIMBS:
+        j, k = i % 3 + 1, (i + 1) % 3 + 1
+        tau_j, sigma_j = scalar(f"tau{j}"), scalar(f"sigma{j}")
+        tau_k, sigma_k = scalar(f"tau{k}"), scalar(f"sigma{k}")
+        total += scalar(f"{name}{i}") * (
+            tau_j * sigma_k * vector(f"n{k}")
+            - sigma_j * tau_k * vector(f"n{j}")
+            + ROOT * sigma_j * sigma_k * nu
+        )
+    return total / (ROOT * tilt)
+
+
 def inverse_rates() -> list[Equation]:
     """(15), (16) solved for the joint rates, without forming a matrix."""
     radial = Dot(c, base_i) * Dot(velocity, base_i) + Dot(c, base_j) * Dot(velocity, base_j)
     twist = Screw(omega, velocity)
-    equations = []
-    for i in LIMBS:
-        p, length = scalar(f"p{i}"), scalar(f"l{i}")
-        h, m = scalar(f"h{i}"), vector(f"m{i}")
-        tau, sigma = scalar(f"tau{i}"), scalar(f"sigma{i}")
-        force = p * Dot(tau * m + sigma * nu, velocity)
-        torque = h * Dot(tau * nu - sigma * m, omega)
-        equations.append(
-            Equation(
-                RATES[i - 1],
-                Klein(matrix(f"S{i}", 6, 1), twist) / scalar(f"limb{i}"),
-                f"rate of the outer limb {i}",
-                "(15)",
-                "m/s",
-                computed_as=-(force + torque) / (p * Abs(p) * length),
-            )
+    equations = [
+        Equation(
+            RATES[i - 1],
+            Klein(matrix(f"S{i}", 6, 1), twist) / scalar(f"limb{i}"),
+            f"rate of the outer limb {i}",
+            "(15)",
+            "m/s",
+            computed_as=-line_on(i, omega, velocity) / lever(i),
         )
+        for i in LIMBS
+    ]
     return [
         *equations,
         Equation(
@@ -82,31 +113,19 @@ def forward_twist() -> list[Equation]:
             "m/s",
         )
     ]
-    total = ZERO
-    for i in LIMBS:
-        j, k = i % 3 + 1, (i + 1) % 3 + 1
-        h, p, length, drive = (scalar(f"{name}{i}") for name in ("h", "p", "l", "drive"))
-        tau, sigma = scalar(f"tau{i}"), scalar(f"sigma{i}")
-        force = Dot(tau * vector(f"m{i}") + sigma * nu, v)
-        equations.append(
-            Equation(
-                drive,
-                -(Abs(p) * length * RATES[i - 1] + force) * p / h,
-                f"what limb {i} asks of omega: (τ_i ν − σ_i m_i)·omega",
-                "(15)",
-                "m/s",
-            )
+    equations += [
+        Equation(
+            scalar(f"drive{i}"),
+            drive_of_limb(i, RATES[i - 1], v),
+            f"what limb {i} asks of omega: (τ_i ν − σ_i m_i)·omega",
+            "(15)",
+            "m/s",
         )
-        tau_j, sigma_j = scalar(f"tau{j}"), scalar(f"sigma{j}")
-        tau_k, sigma_k = scalar(f"tau{k}"), scalar(f"sigma{k}")
-        total += drive * (
-            tau_j * sigma_k * vector(f"n{k}")
-            - sigma_j * tau_k * vector(f"n{j}")
-            + ROOT * sigma_j * sigma_k * nu
-        )
+        for i in LIMBS
+    ]
     return [
         *equations,
-        Equation(omega, total / (ROOT * tilt), "angular velocity", "(17)", "rad/s"),
+        Equation(omega, driven("drive"), "angular velocity", "(17)", "rad/s"),
         Equation(matrix("V", 6, 1), Screw(omega, v), "twist of the platform", "(12)", "rad/s, m/s"),
     ]
 

@@ -74,6 +74,8 @@ class Pose:
         scales = np.asarray(scales)
         shaped = scales if scales.ndim in (0, values.ndim) else scales[..., np.newaxis]
         zero = is_zero(values, shaped, self.rounding)
+        if not zero.any():
+            return
         for i, rule in enumerate(rules):
             self.screen.reject(zero[..., i], SingularPoseError, rule, values[..., i])
 

@@ -15,7 +15,7 @@ from sympy import Abs, Basic, Expr, atan2, cos, sin
 from derivations.codegen.kernel import Field, Kernel
 from derivations.codegen.lower import Program
 from derivations.codegen.printers.arctangent import print_atan2
-from derivations.codegen.printers.python import PythonExpressions, comment_lines, entries
+from derivations.codegen.printers.python import Float64Expressions, comment_lines, entries
 
 __all__ = ["LICENSE", "print_header", "print_lanes", "print_source"]
 
@@ -89,14 +89,6 @@ LANES = """\
 """
 
 
-class CExpressions(PythonExpressions):
-    def __init__(self) -> None:
-        super().__init__(NAMES)
-
-    def _print_Rational(self, expr: Expr) -> str:
-        return repr(int(expr.p) / int(expr.q))
-
-
 def print_header(programs: list[Program]) -> str:
     """``kernels.h``."""
     declared = [f"{_comment(program)}\n{_prototype(program)};" for program in programs]
@@ -162,7 +154,7 @@ def _result_name(field: Field, kernel: Kernel) -> str:
 
 
 def _body(program: Program) -> str:
-    kernel, printer = program.kernel, CExpressions()
+    kernel, printer = program.kernel, Float64Expressions(NAMES)
     arguments = [f"const double *RESTRICT in_{entry.name}" for entry in kernel.inputs]
     arguments += [f"double *RESTRICT out_{entry.name}" for entry in kernel.outputs]
     lines = [f"KLEINFORM_BODY void {kernel.name}_body(", "    size_t stride,"]

@@ -2,11 +2,11 @@
 
 from __future__ import annotations
 
-from sympy import Abs, Expr, atan2, cos, sin
+from sympy import Abs, atan2, cos, sin
 
 from derivations.codegen.lower import Program
 from derivations.codegen.printers.python import (
-    PythonExpressions,
+    Float64Expressions,
     class_name,
     comment_lines,
     docstring,
@@ -41,14 +41,6 @@ if TYPE_CHECKING:
 #: √3/2, exactly rounded.
 SQRT3_2 = 0.8660254037844386
 '''
-
-
-class NumpyExpressions(PythonExpressions):
-    def __init__(self) -> None:
-        super().__init__(NAMES)
-
-    def _print_Rational(self, expr: Expr) -> str:
-        return repr(int(expr.p) / int(expr.q))
 
 
 def print_module(programs: list[Program]) -> str:
@@ -90,7 +82,7 @@ def public(program: Program, first: str, apply: str, body: str) -> str:
 
 
 def _body(program: Program) -> str:
-    kernel, printer = program.kernel, NumpyExpressions()
+    kernel, printer = program.kernel, Float64Expressions(NAMES)
     names = [f"out_{output.name}" for output in kernel.outputs]
     names += [entry.name for entry in kernel.inputs]
     lines = [f"def _{kernel.name}("]

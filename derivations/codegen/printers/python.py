@@ -12,7 +12,14 @@ from sympy.printing.str import StrPrinter
 from derivations.codegen.kernel import Field, Input
 from derivations.codegen.lower import Program
 
-__all__ = ["PythonExpressions", "comment_lines", "docstring", "entries", "result_class"]
+__all__ = [
+    "Float64Expressions",
+    "PythonExpressions",
+    "comment_lines",
+    "docstring",
+    "entries",
+    "result_class",
+]
 
 
 class PythonExpressions(StrPrinter):
@@ -59,6 +66,13 @@ class PythonExpressions(StrPrinter):
         if exponent.is_Rational and exponent < 0:
             return f"1.0/{self.parenthesize(1 / expr, PRECEDENCE['Pow'])}"
         raise ValueError(f"no rule for the power {expr}")
+
+
+class Float64Expressions(PythonExpressions):
+    """Fractions as float64 numbers."""
+
+    def _print_Rational(self, expr: Expr) -> str:
+        return repr(int(expr.p) / int(expr.q))
 
 
 def comment_lines(program: Program) -> Iterator[tuple[str, str, Expr]]:
