@@ -4,11 +4,12 @@ VENV := .venv
 BIN := $(VENV)/bin
 READY := $(VENV)/.ready
 PEERS := $(VENV)/.peers
+ENGINES := $(VENV)/.engines
 # Test files run beside each other, on all cores.
 SPREAD := -n auto --dist loadfile
 SOURCES := pyproject.toml CMakeLists.txt $(shell find src generated -name '*.c' -o -name '*.h')
 
-.PHONY: help derive check-generated latex paper test lint bench census clean
+.PHONY: help derive check-generated latex paper verify figures test lint bench census clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-16s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -33,7 +34,17 @@ latex: derive ## the formulas as .tex files, one document and one HTML page
 paper: $(READY) ## the paper's numbers beside the computed ones, and docs/audit.md
 	@$(BIN)/python -m kleinform.paper docs/audit.md
 
-test: $(READY) check-generated ## all tests on both backends, the freshness of generated/ and the wheel
+$(ENGINES): $(READY)
+	$(BIN)/python -m pip install --quiet --disable-pip-version-check --editable '.[dev,verify]'
+	@touch $@
+
+verify: $(ENGINES) ## both examples beside Pinocchio and Exudyn, joint by joint
+	@$(BIN)/python -m kleinform.verification
+
+figures: $(ENGINES) ## the paper's figures and the robot with its screws, into docs/figures/
+	@$(BIN)/python -m kleinform.plots docs/figures
+
+test: $(ENGINES) check-generated ## all tests on both backends, the freshness of generated/ and the wheel
 	@KLEINFORM_BACKEND=numpy $(BIN)/python -m pytest $(SPREAD) tests/kernels tests/runtime --deselect tests/runtime/test_wheel.py
 	@$(BIN)/python -m pytest $(SPREAD)
 

@@ -5,12 +5,10 @@ from __future__ import annotations
 import re
 from pathlib import Path
 
-import numpy as np
 import pytest
 
 from kleinform.paper import printed, report
 from kleinform.paper.audit import audit, equation_verdicts, proofs
-from kleinform.paper.examples import example_2, quintic_coefficients
 
 PAGE = Path(__file__).parents[2] / "docs" / "audit.md"
 
@@ -49,19 +47,6 @@ def test_rounded_truncated_and_wrong_numbers_are_told_apart() -> None:
     assert report.compare("x", "1.313", 1.31384).verdict == "confirmed (truncated)"
     assert report.compare("x", "-1.313", -1.31384).verdict == "confirmed (truncated)"
     assert report.compare("x", "1.313", 1.31184).verdict == "corrected: 1.312"
-
-
-def test_quintics_rest_at_both_ends() -> None:
-    start, end = np.array([0.3, -1.0]), np.array([1.1, 2.0])
-    coefficients = quintic_coefficients(start, end, 5.0)
-    step = 1e-3
-    time = np.array([0.0, step, 5.0 - step, 5.0])
-    motion = example_2(time, coefficients)
-    np.testing.assert_allclose(motion[[0, -1]], [start, end], rtol=0, atol=1e-14)
-    # Velocity and acceleration vanish, so a step away the motion differs by its cube.
-    limit = 10.0 * abs(end - start) * (step / 5.0) ** 3
-    assert (abs(motion[1] - start) < 1.01 * limit).all()
-    assert (abs(motion[2] - end) < 1.01 * limit).all()
 
 
 def test_both_motions_are_tracked_to_rounding(parts) -> None:

@@ -5,42 +5,36 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from kleinform.motion import JointMotion, polynomials
 from kleinform.paper import printed
 
-__all__ = ["example_1", "example_2", "quintic_coefficients"]
+__all__ = ["example_1", "example_2"]
 
 Array = NDArray[np.float64]
+#: Example 1: q = CONSTANT + SWING sin t + DOUBLE sin t cos t + SQUARE sin² t.
+CONSTANT = np.array([1.0, 1.191, 0.869, 0.6747, 1.2609, 1.05])
+SWING = np.array([0.0, 0.0, 0.0, np.pi / 18.0, 0.0, 0.0])
+DOUBLE = np.array([0.25, 0.3, 0.2, 0.0, 0.0, 0.25])
+SQUARE = np.array([0.0, 0.0, 0.0, 0.0, -np.pi / 9.0, 0.0])
 
 
-def example_1(time: Array) -> Array:
-    """Joint values (T, 6) of Example 1, periodic, for 0 <= t <= 2π s."""
-    sine, product = np.sin(time), np.sin(time) * np.cos(time)
-    return np.stack(
-        [
-            1.0 + 0.25 * product,
-            1.191 + 0.3 * product,
-            0.869 + 0.2 * product,
-            0.6747 + np.pi / 18.0 * sine,
-            1.2609 - np.pi / 9.0 * sine**2,
-            1.05 + 0.25 * product,
-        ],
-        axis=-1,
-    )
+def example_1() -> JointMotion:
+    """Example 1: periodic generalized coordinates, for 0 <= t <= 2π s."""
+
+    def function(times: Array) -> tuple[Array, Array, Array]:
+        t = times[:, np.newaxis]
+        sine, cosine, sine2, cosine2 = np.sin(t), np.cos(t), np.sin(2.0 * t), np.cos(2.0 * t)
+        return (
+            CONSTANT + SWING * sine + 0.5 * DOUBLE * sine2 + SQUARE * sine**2,
+            SWING * cosine + DOUBLE * cosine2 + SQUARE * sine2,
+            -SWING * sine - 2.0 * DOUBLE * sine2 + 2.0 * SQUARE * cosine2,
+        )
+
+    return JointMotion(function, 0.0, 2.0 * np.pi)
 
 
-def quintic_coefficients(start: Array, end: Array, duration: float) -> Array:
-    """``mu_0, mu_3, mu_4, mu_5`` (n, 4) of the quintics that go from rest to rest.
-
-    Velocity and acceleration vanish at both ends, so that with s = t/T the motion is
-    ``start + (end − start)(10 s³ − 15 s⁴ + 6 s⁵)``.
-    """
-    powers = np.array([10.0 / duration**3, -15.0 / duration**4, 6.0 / duration**5])
-    return np.column_stack([start, (end - start)[:, np.newaxis] * powers])
-
-
-def example_2(time: Array, coefficients: Array | None = None) -> Array:
-    """Joint values (T, 6) of Example 2, with the printed coefficients unless others are given."""
-    if coefficients is None:
-        coefficients = np.array(printed.TABLE_2, dtype=np.float64)
-    powers = np.stack([np.ones_like(time), time**3, time**4, time**5])
-    return (coefficients @ powers).T
+def example_2() -> JointMotion:
+    """Example 2: quintics from rest to rest, with the coefficients that Table 2 prints."""
+    mu = np.zeros((6, 6))
+    mu[:, [0, 3, 4, 5]] = np.array(printed.TABLE_2, dtype=np.float64)
+    return polynomials(mu, 0.0, printed.END_TIME)

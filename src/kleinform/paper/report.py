@@ -11,8 +11,9 @@ from numpy.typing import NDArray
 from kleinform import AssemblyModes, UncoupledManipulator, rotation_from_rpy, rpy_from_rotation
 from kleinform.generated import kernels
 from kleinform.homotopy import quadratics, solve
+from kleinform.motion import rest_to_rest_coefficients
 from kleinform.paper import printed
-from kleinform.paper.examples import example_1, example_2, quintic_coefficients
+from kleinform.paper.examples import example_1, example_2
 
 __all__ = [
     "Row",
@@ -160,8 +161,10 @@ def _homotopy_rows(modes: AssemblyModes) -> Iterator[Row]:
 
 def table_2_rows() -> Iterator[Row]:
     """Table 2: the coefficients derived from the two poses."""
-    derived = quintic_coefficients(start_joints(), end_joints(), printed.END_TIME)
-    for joint, (texts, values) in enumerate(zip(printed.TABLE_2, derived, strict=True), start=1):
+    derived = rest_to_rest_coefficients(start_joints(), end_joints(), printed.END_TIME)
+    for joint, (texts, values) in enumerate(
+        zip(printed.TABLE_2, derived[:, [0, 3, 4, 5]], strict=True), start=1
+    ):
         for power, text, value in zip((0, 3, 4, 5), texts, values, strict=True):
             yield compare(f"Table 2: mu_{joint},{power}", text, float(value))
 
@@ -169,11 +172,8 @@ def table_2_rows() -> Iterator[Row]:
 def motion_rows(samples: int = 201) -> Iterator[Row]:
     """Both motions tracked from the paper's pose; the joint values of every pose put back."""
     start = rotation_of(printed.ROLL_PITCH_YAW_DEGREES)
-    time = np.linspace(0.0, 2.0 * np.pi, samples)
-    motions = {"Example 1": example_1(time)}
-    time = np.linspace(0.0, printed.END_TIME, samples)
-    motions["Example 2"] = example_2(time)
-    for name, joints in motions.items():
+    for name, motion in (("Example 1", example_1()), ("Example 2", example_2())):
+        joints = motion.sampled(samples).joints
         positions, rotations = ROBOT.track(joints, start)
         back = ROBOT.inverse_displacement(positions, rotations)
         worst = float(abs(back - joints).max())

@@ -1,0 +1,82 @@
+"""Times of a motion, and what its function returns at them, checked."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from kleinform.errors import InputError, NotFiniteError, ShapeError
+from kleinform.screening import Screen, real_array, reject_bad_numbers
+
+__all__ = ["checked_span", "checked_times", "even_times", "increasing_times", "values_at"]
+
+Array = NDArray[np.float64]
+
+
+def checked_span(start: float, end: float) -> tuple[float, float]:
+    """When a motion begins and ends."""
+    span = real_array("start, end", (start, end), (2,))
+    if not (np.isfinite(span).all() and span[0] < span[1]):
+        raise InputError(f"start < end, both finite, is needed, {start!r} and {end!r} arrived")
+    return float(span[0]), float(span[1])
+
+
+def checked_times(times: ArrayLike, start: float, end: float) -> Array:
+    """Times (T,) within a motion."""
+    when = real_array("times", times, ())
+    if when.ndim != 1:
+        raise ShapeError(f"times: shape (T,) is needed, {when.shape} arrived")
+    screen = Screen(when.shape, "raise")
+    reject_bad_numbers(screen, "times", when, 0)
+    outside = ~((start <= when) & (when <= end))
+    screen.reject(outside, InputError, f"times: from {start!r} to {end!r} s is needed", when)
+    screen.settle()
+    return when
+
+
+def increasing_times(times: ArrayLike, least: int) -> Array:
+    """At least so many times (T,), each after the one before."""
+    when = real_array("times", times, ())
+    if when.ndim != 1 or len(when) < least:
+        raise ShapeError(f"times: shape (T,) with T >= {least} is needed, {when.shape} arrived")
+    if not np.isfinite(when).all():
+        raise NotFiniteError("times: NaN or inf")
+    late = np.flatnonzero(np.diff(when) <= 0.0)
+    if late.size:
+        raise InputError(
+            f"times: each after the one before is needed, {float(when[late[0] + 1])!r} after "
+            f"{float(when[late[0]])!r} arrived, at sample {late[0] + 1}"
+        )
+    return when
+
+
+def even_times(start: float, end: float, count: int) -> Array:
+    """So many evenly spaced times, the first and the last among them."""
+    if count < 2:
+        raise InputError(f"count: at least 2 samples are needed, {count!r} arrived")
+    return np.linspace(start, end, count)
+
+
+def values_at(
+    function: Callable[[Array], tuple[Any, ...]],
+    times: Array,
+    shapes: Mapping[str, tuple[int, ...]],
+) -> list[Array]:
+    """What a motion's function returns: for each name a finite array (T, *shape)."""
+    returned = function(times)
+    if not isinstance(returned, tuple) or len(returned) != len(shapes):
+        raise InputError(f"the motion's function: a tuple ({', '.join(shapes)}) is needed")
+    values = []
+    for (name, shape), value in zip(shapes.items(), returned, strict=True):
+        array = real_array(name, value, shape)
+        if array.shape != (len(times), *shape):
+            wanted = (len(times), *shape)
+            raise ShapeError(f"{name}: shape {wanted} is needed at these times, {array.shape} came")
+        screen = Screen(times.shape, "raise")
+        reject_bad_numbers(screen, name, array, len(shape))
+        screen.settle()
+        values.append(array)
+    return values

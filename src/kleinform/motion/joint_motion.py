@@ -1,0 +1,114 @@
+"""Motions of the joints as functions of time."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.polynomial import polynomial
+from numpy.typing import ArrayLike, NDArray
+
+from kleinform.joints import checked_joints
+from kleinform.motion.clock import checked_span, checked_times, even_times, values_at
+from kleinform.motion.states import JointStates
+from kleinform.screening import real_array
+
+__all__ = ["JointMotion", "polynomials", "rest_to_rest", "rest_to_rest_coefficients"]
+
+Array = NDArray[np.float64]
+#: 10 s³ − 15 s⁴ + 6 s⁵ goes from 0 to 1, at rest at both ends.
+SMOOTH_STEP = np.array([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
+
+
+@dataclass(frozen=True)
+class JointMotion:
+    """A motion of the joints: a function of time, and when it begins and ends.
+
+    Parameters
+    ----------
+    function : callable
+        From times (T,) to ``(q, q̇, q̈)``, each (T, 6), in the order and units of
+        `JointStates`.
+    start, end : float
+        [s], ``start < end``.
+    """
+
+    function: Callable[[Array], tuple[ArrayLike, ArrayLike, ArrayLike]]
+    start: float
+    end: float
+
+    def __post_init__(self) -> None:
+        checked_span(self.start, self.end)
+
+    def at(self, times: ArrayLike) -> JointStates:
+        """The joints at some times (T,) [s].
+
+        Raises
+        ------
+        InputError
+            A time is outside the motion, or the function returned something else than three
+            finite arrays (T, 6).
+        JointRangeError
+            A length is negative, or q5 is outside [−π/2, π/2].
+        """
+        when = checked_times(times, self.start, self.end)
+        shapes = {"joints": (6,), "rates": (6,), "accelerations": (6,)}
+        joints, rates, accelerations = values_at(self.function, when, shapes)
+        return JointStates(when, checked_joints(joints), rates, accelerations)
+
+    def sampled(self, count: int) -> JointStates:
+        """The joints at so many evenly spaced times, the first and the last among them."""
+        return self.at(even_times(self.start, self.end, count))
+
+
+def polynomials(coefficients: ArrayLike, start: float, end: float) -> JointMotion:
+    """Joints that move as polynomials in the time since the start.
+
+    Parameters
+    ----------
+    coefficients : array_like (6, n)
+        A row a joint, the constant first; powers of seconds.
+    start, end : float
+        [s].
+    """
+    rows = real_array("coefficients", coefficients, ())
+    rows = real_array("coefficients", rows, (6, *rows.shape[1:2]))
+    orders = [polynomial.polyder(rows, order, axis=1) if order else rows for order in range(3)]
+
+    def function(times: Array) -> tuple[Array, Array, Array]:
+        q, dq, ddq = (polynomial.polyval(times - start, order.T).T for order in orders)
+        return q, dq, ddq
+
+    return JointMotion(function, *checked_span(start, end))
+
+
+def rest_to_rest_coefficients(start: ArrayLike, end: ArrayLike, duration: float) -> Array:
+    """Coefficients (6, 6) of the quintics that go from rest to rest, the constant first.
+
+    Velocity and acceleration vanish at both ends, so that with ``s = t/duration`` the motion
+    is ``start + (end − start)(10 s³ − 15 s⁴ + 6 s⁵)``, which the paper writes as
+    ``mu_0 + mu_3 t³ + mu_4 t⁴ + mu_5 t⁵``.
+
+    Parameters
+    ----------
+    start, end : array_like (6,)
+        Joint values q1 ... q6; a full turn of q4 is a full turn.
+    duration : float
+        [s].
+    """
+    checked_span(0.0, duration)
+    first, last = checked_joints(start), checked_joints(end)
+    first, last = real_array("start", first, (6,)), real_array("end", last, (6,))
+    coefficients = np.outer(last - first, SMOOTH_STEP / duration ** np.arange(6.0))
+    coefficients[:, 0] = first
+    return coefficients
+
+
+def rest_to_rest(start: ArrayLike, end: ArrayLike, duration: float) -> JointMotion:
+    """The smooth motion of Example 2: quintics from rest to rest, from t = 0 on.
+
+    Parameters, errors
+        As in `rest_to_rest_coefficients`.
+    """
+    return polynomials(rest_to_rest_coefficients(start, end, duration), 0.0, duration)
