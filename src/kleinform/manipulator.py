@@ -31,6 +31,7 @@ from kleinform.tracking import refuse_crossings, track
 
 if TYPE_CHECKING:
     from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
+    from kleinform.motion.states import JointStates, PlatformStates
 
 __all__ = ["UncoupledManipulator"]
 
@@ -520,3 +521,62 @@ class UncoupledManipulator:
         positions, rotations = track(self.radius, joints, start_rotation)
         refuse_crossings(self.direct_singularity(positions, rotations))
         return positions, rotations
+
+    def forward_motion(
+        self,
+        states: JointStates,
+        start_rotation: RotationLike | None = None,
+        *,
+        mode: int | None = None,
+    ) -> PlatformStates:
+        """The platform along a motion of the joints: pose, twist and its derivative.
+
+        One assembly mode is followed with `track`; velocities and accelerations are those of
+        `forward_velocity` and `forward_acceleration`.
+
+        Parameters
+        ----------
+        states : JointStates
+            Times (T,) [s], increasing; joint values, rates and accelerations (T, 6).
+        start_rotation, mode
+            As in `track`.
+
+        Returns
+        -------
+        PlatformStates
+            ``.of_point(offset)`` moves a point that is fixed to the platform.
+
+        Raises
+        ------
+        TrackingError, JointRangeError
+            As `track`.
+        SingularPoseError
+            As `forward_velocity`, but for C on the Z axis, where q4 says the azimuth.
+        InputError
+        """
+        from kleinform.motion.platform import forward_motion
+
+        return forward_motion(self, states, start_rotation, mode)
+
+    def inverse_motion(self, states: PlatformStates) -> JointStates:
+        """The joints along a motion of the platform: values, rates and accelerations.
+
+        Parameters
+        ----------
+        states : PlatformStates
+            Times (T,) [s], increasing; positions (T, 3), rotations (T, 3, 3), twists and
+            their derivatives (T, 6).
+
+        Returns
+        -------
+        JointStates
+            q4 does not jump by 2π: it changes by less than π from one sample to the next.
+
+        Raises
+        ------
+        SingularPoseError, InputError
+            As `inverse_velocity`.
+        """
+        from kleinform.motion.platform import inverse_motion
+
+        return inverse_motion(self, states)

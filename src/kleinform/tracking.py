@@ -6,9 +6,16 @@ theorem can be evaluated exactly: with ``h = ω η``, where η is the length of 
 step and ω bounds the change of the Jacobian, ``h <= 1/2`` proves that the iteration converges
 and that the solution is the only one around. A step along the motion is taken only when
 ``h <= TRUST`` at its end, and is halved otherwise.
+
+Such steps, one after the other, go from station to station, over as many samples as the trust
+allows. The samples between are then found from their nearest station, all in one batch
+(`kleinform.polishing`); where one of them is in doubt, its stretch is followed sample by
+sample instead.
 """
 
 from __future__ import annotations
+
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,6 +23,7 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import ShapeError, TrackingError
 from kleinform.generated import kernels
 from kleinform.joints import checked_joints
+from kleinform.polishing import polish
 from kleinform.results import Singularity
 from kleinform.screening import RotationLike, one_rotation
 
@@ -42,14 +50,50 @@ def track(radius: Array, joints: ArrayLike, start_rotation: RotationLike) -> tup
     """Positions and rotations along a motion; see `UncoupledManipulator.track`."""
     motion = _checked_motion(radius, joints)
     start = one_rotation("start_rotation", start_rotation)
+    size = float(radius)
     positions = kernels.central_forward(motion[:, 3:]).position
-    followed = np.empty((len(motion), 2, 3))
-    followed[0] = _first(float(radius), motion[0], start)
-    for sample in range(1, len(motion)):
-        before, after = motion[sample - 1], motion[sample]
-        followed[sample] = _advance(float(radius), before, after, followed[sample - 1], sample)
-    rotations = kernels.rotation_from_directions(followed[:, 0], followed[:, 1]).rotation
-    return positions, rotations
+    stations = _stations(size, motion, _first(size, motion[0], start))
+    known, numbers = _turned(np.array(list(stations.values()))), np.array(list(stations))
+    found, sure = polish(size, positions, motion[:, :3], numbers, known)
+    found[numbers] = known
+    for before, after in pairwise(stations):
+        if not sure[before : after + 1].all():
+            stretch = _follow(size, motion, stations[before], before, after)
+            found[before + 1 : after + 1] = _turned(stretch)
+    return positions, found
+
+
+def _turned(directions: Array) -> Array:
+    """Rotations (T, 3, 3) from n_1 and n_2, (T, 2, 3)."""
+    return kernels.rotation_from_directions(directions[:, 0], directions[:, 1]).rotation
+
+
+def _stations(radius: float, motion: Array, start: Array) -> dict[int, Array]:
+    """The directions at some samples, the first and the last among them, by their number."""
+    stations, sample, stride = {0: start}, 0, 1
+    while sample < len(motion) - 1:
+        stride = min(stride, len(motion) - 1 - sample)
+        ahead = motion[sample + stride]
+        number = _kantorovich(radius, ahead, stations[sample])
+        reached = newton(radius, ahead, stations[sample]) if number <= TRUST else None
+        if reached is None and stride > 1:
+            stride //= 2
+            continue
+        if reached is None:
+            reached = _follow(radius, motion, stations[sample], sample, sample + 1)[0]
+        sample += stride
+        stations[sample] = reached
+        stride *= 2
+    return stations
+
+
+def _follow(radius: float, motion: Array, directions: Array, first: int, last: int) -> Array:
+    """The directions at samples ``first + 1`` to ``last``, one after the other."""
+    followed = []
+    for sample in range(first + 1, last + 1):
+        directions = _advance(radius, motion[sample - 1], motion[sample], directions, sample)
+        followed.append(directions)
+    return np.array(followed)
 
 
 def refuse_crossings(direct: Singularity) -> None:

@@ -80,7 +80,7 @@ def files_of(root: Path) -> list[Path]:
     [
         (ROOT / "derivations", {"kleinform", "kleinform_kernels", "numpy", "scipy"}),
         (ROOT / "generated", {"kleinform", "derivations", "sympy", "scipy"}),
-        (ROOT / "src", {"derivations", "sympy", "scipy"}),
+        (ROOT / "src", {"derivations", "sympy"}),
     ],
     ids=["derivations", "generated", "src"],
 )

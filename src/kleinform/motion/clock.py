@@ -11,7 +11,14 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import InputError, NotFiniteError, ShapeError
 from kleinform.screening import Screen, real_array, reject_bad_numbers
 
-__all__ = ["checked_span", "checked_times", "even_times", "increasing_times", "values_at"]
+__all__ = [
+    "checked_span",
+    "checked_times",
+    "even_times",
+    "increasing_times",
+    "over_time",
+    "values_at",
+]
 
 Array = NDArray[np.float64]
 
@@ -60,6 +67,18 @@ def even_times(start: float, end: float, count: int) -> Array:
     return np.linspace(start, end, count)
 
 
+def over_time(name: str, value: Any, core: tuple[int, ...], times: Array) -> Array:
+    """Finite numbers (T, *core), one entry a time."""
+    array = real_array(name, value, core)
+    if array.shape != (len(times), *core):
+        wanted = (len(times), *core)
+        raise ShapeError(f"{name}: shape {wanted} is needed, {array.shape} arrived")
+    screen = Screen(times.shape, "raise")
+    reject_bad_numbers(screen, name, array, len(core))
+    screen.settle()
+    return array
+
+
 def values_at(
     function: Callable[[Array], tuple[Any, ...]],
     times: Array,
@@ -69,14 +88,7 @@ def values_at(
     returned = function(times)
     if not isinstance(returned, tuple) or len(returned) != len(shapes):
         raise InputError(f"the motion's function: a tuple ({', '.join(shapes)}) is needed")
-    values = []
-    for (name, shape), value in zip(shapes.items(), returned, strict=True):
-        array = real_array(name, value, shape)
-        if array.shape != (len(times), *shape):
-            wanted = (len(times), *shape)
-            raise ShapeError(f"{name}: shape {wanted} is needed at these times, {array.shape} came")
-        screen = Screen(times.shape, "raise")
-        reject_bad_numbers(screen, name, array, len(shape))
-        screen.settle()
-        values.append(array)
-    return values
+    return [
+        over_time(name, value, shape, times)
+        for (name, shape), value in zip(shapes.items(), returned, strict=True)
+    ]

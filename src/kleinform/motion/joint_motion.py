@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kleinform.joints import checked_joints
 from kleinform.motion.clock import checked_span, checked_times, even_times, values_at
-from kleinform.motion.states import JointStates
+from kleinform.motion.states import JOINT_SHAPES, JointStates
 from kleinform.screening import real_array
 
 __all__ = ["JointMotion", "polynomials", "rest_to_rest", "rest_to_rest_coefficients"]
@@ -34,7 +34,7 @@ class JointMotion:
         [s], ``start < end``.
     """
 
-    function: Callable[[Array], tuple[ArrayLike, ArrayLike, ArrayLike]]
+    function: Callable[[Array], tuple[ArrayLike, ...]]
     start: float
     end: float
 
@@ -53,8 +53,7 @@ class JointMotion:
             A length is negative, or q5 is outside [−π/2, π/2].
         """
         when = checked_times(times, self.start, self.end)
-        shapes = {"joints": (6,), "rates": (6,), "accelerations": (6,)}
-        joints, rates, accelerations = values_at(self.function, when, shapes)
+        joints, rates, accelerations = values_at(self.function, when, JOINT_SHAPES)
         return JointStates(when, checked_joints(joints), rates, accelerations)
 
     def sampled(self, count: int) -> JointStates:
@@ -74,11 +73,10 @@ def polynomials(coefficients: ArrayLike, start: float, end: float) -> JointMotio
     """
     rows = real_array("coefficients", coefficients, ())
     rows = real_array("coefficients", rows, (6, *rows.shape[1:2]))
-    orders = [polynomial.polyder(rows, order, axis=1) if order else rows for order in range(3)]
+    columns = [np.asarray(polynomial.polyder(rows.T, order), np.float64) for order in range(3)]
 
-    def function(times: Array) -> tuple[Array, Array, Array]:
-        q, dq, ddq = (polynomial.polyval(times - start, order.T).T for order in orders)
-        return q, dq, ddq
+    def function(times: Array) -> tuple[ArrayLike, ...]:
+        return tuple(polynomial.polyval(times - start, column).T for column in columns)
 
     return JointMotion(function, *checked_span(start, end))
 

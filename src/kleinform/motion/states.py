@@ -14,6 +14,10 @@ __all__ = ["JointStates", "PlatformStates", "PointStates"]
 
 Array = NDArray[np.float64]
 
+#: The trailing axes of what stands beside the times.
+JOINT_SHAPES = {"joints": (6,), "rates": (6,), "accelerations": (6,)}
+PLATFORM_SHAPES = {"positions": (3,), "rotations": (3, 3), "twists": (6,), "twist_rates": (6,)}
+
 
 class JointStates(NamedTuple):
     """The joints over time.

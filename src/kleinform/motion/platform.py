@@ -1,0 +1,66 @@
+"""From the joints over time to the platform over time, and back."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kleinform.generated import kernels
+from kleinform.motion.clock import increasing_times, over_time
+from kleinform.motion.states import JOINT_SHAPES, PLATFORM_SHAPES, JointStates, PlatformStates
+from kleinform.pose import check_pose
+from kleinform.screening import RotationLike
+
+if TYPE_CHECKING:
+    from kleinform.manipulator import UncoupledManipulator
+
+__all__ = ["forward_motion", "inverse_motion"]
+
+Array = NDArray[np.float64]
+
+
+def forward_motion(
+    robot: UncoupledManipulator,
+    states: JointStates,
+    start_rotation: RotationLike | None,
+    mode: int | None,
+) -> PlatformStates:
+    """See `UncoupledManipulator.forward_motion`."""
+    times, joints, rates, accelerations = _checked(states, JOINT_SHAPES)
+    positions, rotations = robot.track(joints, start_rotation, mode=mode)
+    pose = check_pose(
+        robot,
+        positions,
+        rotations,
+        "raise",
+        azimuth=joints[:, 3],
+        rates=rates,
+        accelerations=accelerations,
+    )
+    result = kernels.forward_acceleration(
+        pose.radius, pose.position, pose.rotation, pose.heading(), rates, accelerations
+    )
+    pose.reject_direct(result)
+    pose.reject_overflow(result.twist_rate)
+    pose.screen.settle()
+    return PlatformStates(times, positions, rotations, result.twist, result.twist_rate)
+
+
+def inverse_motion(robot: UncoupledManipulator, states: PlatformStates) -> JointStates:
+    """See `UncoupledManipulator.inverse_motion`."""
+    times, positions, rotations, twists, twist_rates = _checked(states, PLATFORM_SHAPES)
+    joints = robot.inverse_displacement(positions, rotations)
+    joints[:, 3] = np.unwrap(joints[:, 3])
+    rates = robot.inverse_velocity(positions, rotations, twists)
+    accelerations = robot.inverse_acceleration(positions, rotations, twists, twist_rates)
+    return JointStates(times, joints, rates, accelerations)
+
+
+def _checked(states: tuple[Array, ...], shapes: Mapping[str, tuple[int, ...]]) -> list[Array]:
+    """Increasing times (T,), and an array (T, *shape) for each name."""
+    times = increasing_times(states[0], 1)
+    named = zip(shapes.items(), states[1:], strict=True)
+    return [times, *(over_time(name, value, shape, times) for (name, shape), value in named)]

@@ -1,0 +1,83 @@
+"""Samples polished in one batch are those that are followed one by one."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+from scipy.spatial.transform import Rotation
+
+import kleinform.tracking
+from kleinform import TrackingError, UncoupledManipulator
+from kleinform.polishing import polish
+from kleinform.tracking import _first, _follow, _turned, track
+
+ROBOT = UncoupledManipulator()
+HOME = np.array([0.25, 0.2, 1.0])
+
+
+def one_by_one(joints: np.ndarray, start: np.ndarray) -> np.ndarray:
+    """Rotations as every sample is followed from the one before."""
+    first = _first(1.0, joints[0], start)
+    rest = _follow(1.0, joints, first, 0, len(joints) - 1)
+    return _turned(np.concatenate([first[np.newaxis], rest]))
+
+
+def path(rng: np.random.Generator, count: int) -> tuple[np.ndarray, np.ndarray]:
+    """A wild path of poses, near direct singularities or across them."""
+    times = np.linspace(0.0, 6.0, count)
+    waves = np.stack([np.sin(times), np.sin(2.0 * times)], axis=-1)
+    turns = Rotation.from_rotvec(waves @ (0.5 * rng.normal(size=(2, 3)))) * Rotation.random(rng=rng)
+    return HOME + waves @ (0.2 * rng.normal(size=(2, 3))), turns.as_matrix()
+
+
+def test_wild_motions_lead_to_the_same_poses_or_to_errors() -> None:
+    rng, same, refused, worst = np.random.default_rng(11), 0, 0, 0.0
+    for _ in range(24):
+        positions, rotations = path(rng, 90)
+        joints = ROBOT.inverse_displacement(positions, rotations)
+        joints[:, 3] = np.unwrap(joints[:, 3])
+        try:
+            expected = one_by_one(joints, rotations[0])
+        except TrackingError:
+            with pytest.raises(TrackingError):
+                ROBOT.track(joints, rotations[0])
+            refused += 1
+            continue
+        _, found = track(ROBOT.radius, joints, rotations[0])
+        direct = ROBOT.direct_singularity(positions, found)
+        near = min(
+            float(np.min(abs(value) / direct.scales[name]))
+            for name, value in direct.factors.items()
+            if name != "wrist"
+        )
+        worst = max(worst, float(abs(found - expected).max()) * near)
+        same += 1
+    assert same >= 5
+    assert refused >= 5
+    # Rounding of the joints is divided by the smallest factor over its scale.
+    assert worst <= 1e-14
+
+
+def test_what_cannot_be_polished_is_followed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A stretch in doubt is followed sample by sample, to the same poses."""
+    rng = np.random.default_rng(3)
+    times = np.linspace(0.0, 1.0, 60)
+    turns = Rotation.from_rotvec(times[:, np.newaxis] * 0.1 * rng.normal(size=3))
+    start = Rotation.from_euler("ZYX", np.deg2rad([6.0, 3.0, 10.0]))
+    rotations = (turns * start).as_matrix()
+    joints = ROBOT.inverse_displacement(np.broadcast_to(HOME, (60, 3)), rotations)
+    sound = ROBOT.track(joints, rotations[0])
+    doubted = []
+
+    def in_doubt(*arguments: object) -> tuple[np.ndarray, np.ndarray]:
+        found, sure = polish(*arguments)
+        assert sure.all()
+        found[20:30], sure[20:30] = np.nan, False
+        doubted.append(True)
+        return found, sure
+
+    monkeypatch.setattr(kleinform.tracking, "polish", in_doubt)
+    followed = ROBOT.track(joints, rotations[0])
+    assert doubted
+    for one, other in zip(sound, followed, strict=True):
+        assert abs(one - other).max() <= 1e-13
