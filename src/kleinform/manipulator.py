@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -31,7 +32,10 @@ from kleinform.tracking import refuse_crossings, track
 
 if TYPE_CHECKING:
     from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
+    from kleinform.motion.joint_motion import JointMotion
+    from kleinform.motion.pose_motion import PoseMotion
     from kleinform.motion.states import JointStates, PlatformStates
+    from kleinform.motion.watch import Watch
 
 __all__ = ["UncoupledManipulator"]
 
@@ -580,3 +584,41 @@ class UncoupledManipulator:
         from kleinform.motion.platform import inverse_motion
 
         return inverse_motion(self, states)
+
+    def watch(
+        self,
+        motion: JointMotion | PoseMotion,
+        count: int,
+        *,
+        limits: Mapping[str, tuple[float, float]] | None = None,
+        start_rotation: RotationLike | None = None,
+        mode: int | None = None,
+    ) -> Watch:
+        """Singularities and limits along a motion, and the first of them that is met.
+
+        Parameters
+        ----------
+        motion : JointMotion or PoseMotion
+        count : int
+            How many samples it is looked at with. What happens between them is seen when a
+            quantity changes its sign, or when the lines through the samples on both sides come
+            down to zero.
+        limits : mapping of name to (low, high), optional
+            Of q1 ... q6 and e1, e2, e3, in m and rad; infinite where there is none.
+        start_rotation, mode
+            For a motion of the joints, as in `track`.
+
+        Returns
+        -------
+        Watch
+            Factors and margins over time; ``.first`` is the first meeting, its time to 1e-9 s.
+
+        Raises
+        ------
+        TrackingError
+            The mode cannot be followed from the first sample.
+        InputError, JointRangeError
+        """
+        from kleinform.motion.watch import watch
+
+        return watch(self, motion, count, limits or {}, start_rotation, mode)

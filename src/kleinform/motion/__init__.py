@@ -10,6 +10,7 @@ from kleinform.motion.joint_motion import (
 )
 from kleinform.motion.pose_motion import PoseMotion
 from kleinform.motion.states import JointStates, PlatformStates, PointStates
+from kleinform.motion.watch import Meeting, Watch
 
 if TYPE_CHECKING:
     from kleinform.motion.splines import interpolated, through_joints, through_poses
@@ -17,9 +18,11 @@ if TYPE_CHECKING:
 __all__ = [
     "JointMotion",
     "JointStates",
+    "Meeting",
     "PlatformStates",
     "PointStates",
     "PoseMotion",
+    "Watch",
     "interpolated",
     "polynomials",
     "rest_to_rest",
