@@ -22,6 +22,8 @@ Mask = NDArray[np.bool_]
 #: Kantorovich's theorem contracts at first by about h/2, and a station is trusted up to 1/8.
 CONTRACTION = 0.125
 MOST_TURNS = 6
+#: So many samples stay in the cache while they are turned.
+BLOCK = 4096
 #: A turn at the level of rounding [rad], and one after which rounding is all that is left.
 ROUNDING = 1e-14
 LAST = 1e-8
@@ -48,23 +50,29 @@ def polish(
     sure : bool array (T,)
         Whether Newton's method went straight from the station to the rotation.
     """
-    samples = np.arange(len(positions), dtype=np.int64)
     middles = (stations[1:] + stations[:-1] + 1) // 2
-    rotations = known[np.searchsorted(middles, samples, side="right")]
-    sure = np.ones(len(samples), dtype=bool)
-    before = np.full(len(samples), np.inf)
-    open_ones = samples
-    for turn in range(MOST_TURNS):
-        angle = _turn(radius, positions, lengths, rotations, open_ones)
-        allowed = CONTRACTION * before[open_ones] if turn else np.inf
-        straight = (angle <= allowed) | (angle <= ROUNDING)
-        sure[open_ones[~straight]] = False
-        before[open_ones] = angle
-        open_ones = open_ones[straight & (angle > LAST)]
-        if not open_ones.size:
-            return rotations, sure
-    sure[open_ones] = False
+    nearest = np.searchsorted(middles, np.arange(len(positions)), side="right")
+    rotations, sure = known[nearest], np.ones(len(positions), dtype=bool)
+    for start in range(0, len(positions), BLOCK):
+        block = slice(start, start + BLOCK)
+        _polish(radius, positions[block], lengths[block], rotations[block], sure[block])
     return rotations, sure
+
+
+def _polish(radius: float, positions: Array, lengths: Array, rotations: Array, sure: Mask) -> None:
+    """Turn rotations until they have these lengths, and say which of them did."""
+    rows = np.arange(len(positions))
+    before = np.full(len(positions), np.inf)
+    for turn in range(MOST_TURNS):
+        angle = _turn(radius, positions, lengths, rotations, rows)
+        allowed = CONTRACTION * before[rows] if turn else np.inf
+        straight = (angle <= allowed) | (angle <= ROUNDING)
+        sure[rows[~straight]] = False
+        before[rows] = angle
+        rows = rows[straight & (angle > LAST)]
+        if not rows.size:
+            return
+    sure[rows] = False
 
 
 def _turn(
