@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from benchmarks import kernels, modes
+from benchmarks import kernels, modes, motion
 from benchmarks.report import machine, saved
 
 RESULTS = Path(__file__).with_name("results.md")
@@ -38,4 +38,5 @@ if __name__ == "__main__":
         print(machine())
         kernels.table()
         modes.table()
+        motion.table()
         import_time()

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import subprocess
 import sys
 from pathlib import Path
@@ -9,9 +10,11 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks import census, kernels, modes
+from benchmarks import census, kernels, modes, motion
 from benchmarks.peers import PACKAGES, check, lambdified
 from benchmarks.report import machine, saved
+from kleinform.paper.examples import example_1
+from kleinform.verification.report import ours
 from kleinform_kernels import uncoupled
 
 ROOT = Path(__file__).parents[1]
@@ -97,3 +100,22 @@ def test_the_census_counts_all_joint_values(capsys) -> None:
         assert not shares[0][1::2].any()
     census.most()
     assert "most modes found: 24" in capsys.readouterr().out
+
+
+def test_the_motion_is_timed_and_its_residual_shown(monkeypatch, capsys) -> None:
+    monkeypatch.setattr(motion, "SAMPLES", 300)
+    monkeypatch.setattr(motion, "ROUNDS", 1)
+    motion.table()
+    printed = capsys.readouterr().out
+    assert float(re.search(r"equations (\S+)", printed)[1]) <= 1e-12
+    rows = [line.split("  ")[0] for line in printed.splitlines()]
+    assert {"kleinform", "kleinform (NumPy)"} <= set(rows)
+    assert "Pinocchio, Newton" in rows or "not installed" in printed
+
+
+def test_a_wrong_pose_has_a_residual() -> None:
+    states = example_1().sampled(20)
+    platform = ours(states)
+    assert motion.closure(states, platform) <= 1e-14
+    moved = platform._replace(positions=platform.positions + 1e-6)
+    assert motion.closure(states, moved) >= 1e-7
