@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import importlib.util
 import re
 import subprocess
 import sys
@@ -31,3 +32,13 @@ def test_a_sweep_needs_no_more_memory_than_its_chunks() -> None:
     memory = [int(re.search(r"(\d+) MB", text)[1]) for text in (few, many)]
     assert counts[1] / counts[0] == pytest.approx(5.0, rel=0.01)
     assert memory[1] < memory[0] + 100
+
+
+@pytest.mark.skipif(
+    importlib.util.find_spec("pinocchio") is None, reason="examples/tutorial.py needs Pinocchio"
+)
+def test_the_tutorial_prints_what_the_page_on_motion_shows() -> None:
+    assert len((EXAMPLES / "tutorial.py").read_text(encoding="utf-8").splitlines()) <= 30
+    page = (EXAMPLES.parent / "docs" / "motion.md").read_text(encoding="utf-8")
+    shown = re.search(r"python examples/tutorial\.py\n(.*?)```", page, flags=re.DOTALL)[1]
+    assert run("tutorial.py") == shown

@@ -41,13 +41,14 @@ def test_the_error_is_the_one_that_readme_shows(example) -> None:
     assert comment == f"# kleinform.errors.SingularPoseError: {caught.value}"
 
 
-def test_the_page_on_assembly_modes_prints_what_it_shows() -> None:
-    page = Path(__file__).parents[1] / "docs" / "assembly-modes.md"
-    blocks = re.findall(r"```(\w*)\n(.*?)```", page.read_text(encoding="utf-8"), flags=re.DOTALL)
+@pytest.mark.parametrize("name", ["assembly-modes.md", "motion.md"])
+def test_a_page_prints_what_it_shows(name: str) -> None:
+    page = (Path(__file__).parents[1] / "docs" / name).read_text(encoding="utf-8")
+    blocks = re.findall(r"```(\w*)\n(.*?)```", page, flags=re.DOTALL)
     printed = io.StringIO()
     with contextlib.redirect_stdout(printed):
-        exec(blocks[0][1], {})
-    assert printed.getvalue() == blocks[1][1]
+        exec(next(text for language, text in blocks if language == "python"), {})
+    assert printed.getvalue() == next(text for language, text in blocks if not language)
 
 
 def test_the_figures_are_those_of_the_benchmark() -> None:
