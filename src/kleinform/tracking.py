@@ -73,9 +73,7 @@ def _stations(radius: float, motion: Array, start: Array) -> dict[int, Array]:
     stations, sample, stride = {0: start}, 0, 1
     while sample < len(motion) - 1:
         stride = min(stride, len(motion) - 1 - sample)
-        ahead = motion[sample + stride]
-        number = _kantorovich(radius, ahead, stations[sample])
-        reached = newton(radius, ahead, stations[sample]) if number <= TRUST else None
+        reached = _reach(radius, motion[sample : sample + stride + 1], stations[sample])
         if reached is None and stride > 1:
             stride //= 2
             continue
@@ -85,6 +83,20 @@ def _stations(radius: float, motion: Array, start: Array) -> dict[int, Array]:
         stations[sample] = reached
         stride *= 2
     return stations
+
+
+def _reach(radius: float, stretch: Array, directions: Array) -> Array | None:
+    """The directions at the end of a stretch of samples, or None where they are not sure.
+
+    Newton's method must be trusted at the end, and at the sample that is farthest from the
+    first: a periodic motion comes back to where it was.
+    """
+    away = np.linalg.norm((stretch - stretch[0]) / [radius, radius, radius, 1, 1, radius], axis=1)
+    farthest = int(np.argmax(away))
+    for sample in {farthest, len(stretch) - 1}:
+        if _kantorovich(radius, stretch[sample], directions) > TRUST:
+            return None
+    return newton(radius, stretch[-1], directions)
 
 
 def _follow(radius: float, motion: Array, directions: Array, first: int, last: int) -> Array:

@@ -8,8 +8,9 @@ from scipy.spatial.transform import Rotation
 
 import kleinform.tracking
 from kleinform import TrackingError, UncoupledManipulator
+from kleinform.paper.examples import example_1
 from kleinform.polishing import polish
-from kleinform.tracking import _first, _follow, _turned, track
+from kleinform.tracking import _first, _follow, _stations, _turned, track
 
 ROBOT = UncoupledManipulator()
 HOME = np.array([0.25, 0.2, 1.0])
@@ -81,3 +82,18 @@ def test_what_cannot_be_polished_is_followed(monkeypatch: pytest.MonkeyPatch) ->
     assert doubted
     for one, other in zip(sound, followed, strict=True):
         assert abs(one - other).max() <= 1e-13
+
+
+def test_an_excursion_after_a_rest_is_not_stepped_over() -> None:
+    """At rest the stations are ever farther apart; what comes back has been away."""
+    joints = example_1().sampled(64).joints
+    start = Rotation.from_euler("ZYX", np.deg2rad([6.0, 3.0, 10.0]))
+    rest = np.repeat(joints[:1], 300, axis=0)
+    first = _first(1.0, joints[0], start.as_matrix())
+    stations = list(_stations(1.0, np.concatenate([rest, joints, rest]), first))
+    assert len(stations) < 300
+    assert max(np.diff(stations)) > 100
+    assert sum(300 < station < 364 for station in stations) >= 10
+    _, found = track(ROBOT.radius, np.concatenate([rest, joints, rest]), start.as_matrix())
+    expected = one_by_one(joints, start.as_matrix())
+    assert abs(found[300:364] - expected).max() <= 1e-11
