@@ -6,30 +6,43 @@
 from __future__ import annotations
 
 import sys
+from typing import NoReturn
+
+from kleinform.errors import KleinformError
 
 __all__ = ["main"]
 
-#: What the extra brings, with what it stands on.
-EXTRA = frozenset({"typer", "rich", "click"})
+#: What the extra brings.
+EXTRA = frozenset({"typer", "rich"})
 
 
 def main() -> None:
-    """Run the command that ``sys.argv`` names.
+    """Run the command that ``sys.argv`` names, and exit.
 
-    Exits with code 2 and one line if the extra ``kleinform[cli]`` is not installed.
+    Exits with code 2 and one line on standard error where the command cannot do what it is
+    asked to, the extra ``kleinform[cli]`` missing among the reasons.
     """
     try:
+        import typer
+
         from kleinform.commands import app
     except ModuleNotFoundError as error:
-        if error.name not in EXTRA:
+        package = str(error.name).partition(".")[0]
+        if package not in EXTRA:
             raise
-        print(
-            f"kleinform: {error.name} is missing; install the extra: pip install 'kleinform[cli]'",
-            file=sys.stderr,
-        )
-        sys.exit(2)
-    app(prog_name="kleinform")
+        refuse(f"{package} is missing; install the extra: pip install 'kleinform[cli]'")
+    try:
+        code = app(sys.argv[1:] or ["--help"], prog_name="kleinform", standalone_mode=False)
+    except typer.TyperException as error:
+        refuse(error.format_message())
+    except KleinformError as error:
+        refuse(str(error))
+    except OSError as error:
+        refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
+    sys.exit(code)
 
 
-if __name__ == "__main__":
-    main()
+def refuse(message: str) -> NoReturn:
+    """One line on standard error, exit code 2."""
+    print("kleinform:", " ".join(message.split()), file=sys.stderr)
+    sys.exit(2)

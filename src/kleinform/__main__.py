@@ -1,0 +1,5 @@
+"""``python -m kleinform``."""
+
+from kleinform.cli import main
+
+main()

@@ -1,0 +1,1 @@
+"""Tables as CSV, JSON and NPZ, read and written in blocks."""
