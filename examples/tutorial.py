@@ -20,8 +20,8 @@ motion = rest_to_rest(start, end, duration=5.0)  # Example 2, seconds
 platform = robot.forward_motion(motion.sampled(501), rotation)
 print("C arrives at", platform.positions[-1].round(12), "m")
 print("fastest turn", np.linalg.norm(platform.twists[:, :3], axis=1).max().round(6), "rad/s")
-
-watch = robot.watch(motion, 501, start_rotation=rotation, limits={"q3": (0.5, 1.2)})
+limits = kleinform.Limits({"q3": (0.5, 1.2)})
+watch = robot.watch(motion, 501, start_rotation=rotation, limits=limits)
 print("met first:", watch.first)
 
 checked = follow(assembled(platform.positions[0], rotation), motion.sampled(501)).platform

@@ -7,13 +7,15 @@ angular part first. The Klein form of twist and wrench is their power.
 
 from __future__ import annotations
 
-from sympy import Basic, Expr, ImmutableDenseMatrix, ZeroMatrix
+from sympy import Basic, Expr, ImmutableDenseMatrix, S, ZeroMatrix
+from sympy.matrices.expressions import MatrixExpr
 
 from derivations.algebra.vectors import Cross, Stack, components
 
 __all__ = [
     "POLARITY",
     "Klein",
+    "Lie",
     "Screw",
     "cylindrical",
     "line",
@@ -38,6 +40,26 @@ class Klein(Expr):
     def expanded(self) -> Expr:
         first, second = map(components, self.args)
         return (first.T * POLARITY * second)[0, 0]
+
+
+class Lie(MatrixExpr):
+    """The Lie product ``[$1 $2] = [s1 × s2; s1 × s_O2 − s2 × s_O1]`` of two screws."""
+
+    @property
+    def shape(self) -> tuple[Expr, Expr]:
+        return (S(6), S.One)
+
+    def expanded(self) -> ImmutableDenseMatrix:
+        (first, first_dual), (second, second_dual) = map(_halves, self.args)
+        primal = components(Cross(first, second))
+        dual = components(Cross(first, second_dual)) - components(Cross(second, first_dual))
+        return ImmutableDenseMatrix.vstack(primal, dual)
+
+
+def _halves(screw: Basic) -> tuple[ImmutableDenseMatrix, ImmutableDenseMatrix]:
+    """The primal and the dual part."""
+    whole = components(screw)
+    return whole[0:3, 0], whole[3:6, 0]
 
 
 def revolute(axis: Basic, arm: Basic) -> Screw:

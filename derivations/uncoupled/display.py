@@ -23,10 +23,12 @@ from derivations.uncoupled import (
     correction,
     displacement,
     eliminant,
+    joint_rates,
     leg_step,
     orientation,
     rates,
     relations,
+    statics,
 )
 from derivations.uncoupled import geometry as topology
 from derivations.uncoupled import singularity as singular
@@ -38,7 +40,7 @@ __all__ = ["COLLECTIONS", "SECTIONS", "Displayed", "displayed", "family_name", "
 #: Arrays of scalars or rows, as kernels return them.
 COLLECTIONS = (
     *("q", "e", "B", "D", "W", "S", *(f"screws{limb}" for limb in range(1, 5))),
-    *("powers", "arms", "pair", "steps"),
+    *("powers", "arms", "pair", "steps", "limb_rates"),
 )
 
 SECTIONS = {
@@ -62,6 +64,9 @@ FILE_NAMES = {
     "dv": "v_C_rate",
     "dV": "twist_rate",
     "nwi": "hinge_i",
+    "footi": "foot_line_i",
+    "guidei": "guide_line_i",
+    "spin": "passive_omega",
     "r": "radial",
     "v": "v_C",
     "V": "twist",
@@ -94,6 +99,8 @@ NOTES = {
     "angle": "Row k and column l are at powers k − 1 of t and l − 1 of s; ∗ is as for K_i.",
     "htx_i": "ε_i is 1 for limb 2 and −1 for limb 3.",
     "va_i": "Here the angle of leg i is θ_i at t = 0. For B_2, s stands for t.",
+    "limb_acceleration_i": "L_i is the Lie screw of the limb: its screws times their rates, the "
+    "Lie products of each with each that comes after it, summed up.",
     "screw_46": "Its norm √3/2 stays, as in the paper.",
 }
 
@@ -139,9 +146,9 @@ def known_components() -> dict[Symbol, Expr]:
 
 def family_name(name: str) -> str:
     """The name that stands for all limbs: ``e1``, ``e2``, ``e3`` are ``ei``."""
-    screw = re.fullmatch(r"screw[123](\d)", name)
-    if screw:
-        return f"screwi{screw[1]}"
+    joint = re.fullmatch(r"(screw|rate)[123](\d)", name)
+    if joint:
+        return f"{joint[1]}i{joint[2]}"
     return name if name.startswith("screw") else re.sub(r"(?<=[A-Za-z])[123]$", "i", name)
 
 
@@ -231,12 +238,17 @@ def _velocity() -> Iterator[Entry]:
     yield relations.polarity()
     yield from _named(motion.jacobians())
     twist = {Screw(rates.omega, rates.velocity): relations.TWIST}
-    for equation in _limb_first(rates.inverse_rates()):
+    passive = [*joint_rates.outer_rates("i"), *joint_rates.central_rates()]
+    for equation in [*_limb_first(rates.inverse_rates()), *passive]:
         yield (
             _file_name(equation),
             replace(equation, expression=equation.expression.xreplace(twist)),
         )
     yield from _named(_limb_first(rates.forward_twist()))
+    yield from _named([*statics.exerted_wrench(), *statics.line_load("i", "j", "k")])
+    forces = statics.required_forces()
+    yield from _named(_limb_first(_pick(forces, "force1", "central_force")))
+    yield from _named(_pick(forces, "force4", "force5", "force6", "forces"))
     change = {Screw(accelerations.angular, accelerations.linear): relations.TWIST_RATE}
     yield from _named(accelerations.biases("i"))
     for equation in _limb_first(accelerations.inverse_accelerations()):
@@ -246,6 +258,9 @@ def _velocity() -> Iterator[Entry]:
     for equation in _limb_first(accelerations.forward_accelerations()):
         if not equation.name.startswith(("de", "db", "bias")):
             yield _file_name(equation), equation
+    yield relations.lie_product()
+    yield relations.reduced_acceleration()
+    yield relations.limb_acceleration()
 
 
 def _singularity() -> Iterator[Entry]:
@@ -264,7 +279,7 @@ def _file_name(equation: Equation) -> str:
     name = equation.name
     if name in FILE_NAMES:
         return FILE_NAMES[name]
-    indexed = r"(screw)([1-4i][1-6])|([A-Za-z_]+?)([1-6i])"
+    indexed = r"(screw|rate)([1-4i][1-6])|([A-Za-z_]+?)([1-6i])"
     match = re.fullmatch(indexed, name)
     if match is None:
         return name

@@ -11,6 +11,7 @@ from derivations.uncoupled.displacement import q6, r
 from derivations.uncoupled.geometry import LIMBS, a, c, m1, n1, nu
 from derivations.uncoupled.rates import RATES, omega, velocity
 from derivations.uncoupled.singularity import central, orientation, reach, wrist
+from derivations.uncoupled.statics import FORCES, force, moment
 from derivations.uncoupled.velocity import heading
 
 RADIUS = Input("a", a, "m", "radius of the circle through A_1, A_2, A_3")
@@ -23,6 +24,8 @@ TWIST = Input("twist", Rows(omega, velocity), "rad/s, m/s", "[omega, v_C]")
 TWIST_RATE = Input("twist_rate", Rows(angular, linear), "rad/s², m/s²", "[d omega/dt, dv_C/dt]")
 RATES_IN = Input("rates", ImmutableDenseMatrix(RATES), "m/s, rad/s", "q̇1 ... q̇6")
 RATES_OUT = Output("rates", matrix("dq", 6, 1), "m/s, rad/s", "q̇1 ... q̇6")
+WRENCH_IN = Input("wrench", Rows(force, moment), "N, N m", "[force, moment at C]")
+FORCES_IN = Input("forces", ImmutableDenseMatrix(FORCES), "N, N m", "f1 ... f6")
 ACCELERATIONS_IN = Input(
     "accelerations", ImmutableDenseMatrix(ACCELERATIONS), "m/s², rad/s²", "q̈1 ... q̈6"
 )

@@ -18,6 +18,7 @@ from derivations.uncoupled.fields import (
     CENTRAL_SCALE,
     EXTENSION,
     EXTENSION_SCALE,
+    FORCES_IN,
     HEADING,
     INCIDENCE,
     JOINTS,
@@ -35,11 +36,13 @@ from derivations.uncoupled.fields import (
     REACH,
     TWIST,
     TWIST_RATE,
+    WRENCH_IN,
     WRIST,
     WRIST_SCALE,
 )
 from derivations.uncoupled.forward_kernels import forward_kernels
 from derivations.uncoupled.geometry import LIMBS, c, n1
+from derivations.uncoupled.joint_rates import joint_rates_graph
 from derivations.uncoupled.orientation import (
     ROTATION,
     defect_graph,
@@ -52,6 +55,7 @@ from derivations.uncoupled.orientation import (
 )
 from derivations.uncoupled.rates import forward_velocity_graph, inverse_velocity_graph
 from derivations.uncoupled.singularity import singularity_graph
+from derivations.uncoupled.statics import actuator_forces_graph, platform_wrench_graph
 from derivations.uncoupled.velocity import velocity_graph
 
 
@@ -221,6 +225,52 @@ def velocity_kernels() -> list[Kernel]:
                 *checks,
             ),
         ),
+        Kernel(
+            "joint_rates",
+            "The rates of all joints of the four limbs from the twist.",
+            "(12)",
+            joint_rates_graph(),
+            (*POSE, HEADING, TWIST),
+            (
+                Output("rates", matrix("limb_rates", 4, 6), "rad/s, m/s", "a row a limb"),
+                WRIST,
+                WRIST_SCALE,
+                *checks,
+            ),
+        ),
+    ]
+
+
+def statics_kernels() -> list[Kernel]:
+    """The dual of Section IV."""
+    checks = (INCIDENCE, LEGS, RADIAL, LENGTH, REACH)
+    return [
+        Kernel(
+            "platform_wrench",
+            "Wrench that the platform exerts from the forces of the actuators.",
+            "(15), (16), by duality",
+            platform_wrench_graph(),
+            (*POSE, FORCES_IN),
+            (
+                Output("wrench", matrix("wrench", 6, 1), "N, N m", "[force, moment at C]"),
+                *checks,
+            ),
+        ),
+        Kernel(
+            "actuator_forces",
+            "Forces of the actuators from the wrench that the platform exerts.",
+            "(16), (17), by duality",
+            actuator_forces_graph(),
+            (*POSE, HEADING, WRENCH_IN),
+            (
+                Output("forces", matrix("forces", 6, 1), "N, N m", "f1 ... f6"),
+                EXTENSION,
+                EXTENSION_SCALE,
+                ORIENTATION,
+                ORIENTATION_SCALE,
+                *checks,
+            ),
+        ),
     ]
 
 
@@ -325,6 +375,7 @@ def kernels() -> list[Kernel]:
         *forward_kernels(),
         *orientation_kernels(),
         *velocity_kernels(),
+        *statics_kernels(),
         *acceleration_kernels(),
         *singularity_kernels(),
     ]

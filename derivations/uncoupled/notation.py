@@ -54,6 +54,12 @@ LETTERS: dict[str, Letter | str] = {
         for joint, suffix in enumerate(SCREW_AXES, start=1)
     },
     "bias#": Letter("q", sup="0", accent=r"\ddot"),  # the part that the rates alone make
+    # rates of all joints, with the paper's letters
+    **{f"rate#{joint}": rf"{{}}_{{{joint - 1}}}\omega_{{{joint}}}^{{#}}" for joint in range(1, 7)},
+    # forces come before what they multiply
+    "force#": "f",
+    "load#": r"\varphi",  # force along S_i
+    "share#": Letter(r"\varphi", sup="0"),
     # displacement
     "p#": "p",  # n_i · u_i
     "h#": "h",  # a − c · u_i
@@ -185,6 +191,18 @@ LETTERS: dict[str, Letter | str] = {
     "domega": Letter(r"\omega", accent=r"\dot"),
     "dv": Letter("v", sub="C", accent=r"\dot"),
     "dV": Letter("V", accent=r"\dot"),
+    "spin": Letter(r"\omega", sup="P"),  # what the passive joints of the central limb make of ω
+    "foot#": "Y",  # the line through A_i along n_i × w_i
+    "guide#": "U",  # the line through B_i along u_i
+    "reduced": Letter("A", sub="R"),
+    "lie#": "L",
+    # statics
+    "force": Letter("f", sub="C"),
+    "moment": Letter("m", sub="C"),
+    "wrench": "W",
+    "grad_q#": Letter("q", before=r"\nabla ", upright=True),
+    "central_force": Letter("f", sub="C", sup=r"\prime"),
+    "forces": "f",
     # singularity
     "tilt": r"\Theta",
     "reach": "L",

@@ -40,18 +40,27 @@ def drive_of_limb(i: int, along: Basic, linear: Basic) -> Expr:
     return -(Abs(p) * length * along + force) * p / h
 
 
+def others(i: int) -> tuple[int, int]:
+    """The limbs that come after limb i."""
+    return i % 3 + 1, (i + 1) % 3 + 1
+
+
+def response(j: int | str, k: int | str) -> Basic:
+    """√3/2 tilt times the omega that the drive of the limb before j and k makes when it is 1."""
+    tau_j, sigma_j = scalar(f"tau{j}"), scalar(f"sigma{j}")
+    tau_k, sigma_k = scalar(f"tau{k}"), scalar(f"sigma{k}")
+    return (
+        tau_j * sigma_k * vector(f"n{k}")
+        - sigma_j * tau_k * vector(f"n{j}")
+        + ROOT * sigma_j * sigma_k * nu
+    )
+
+
 def driven(name: str) -> Basic:
     """The 3×3 of the rows ``τ_i ν − σ_i m_i`` solved for the drives of this name."""
     total = ZERO
     for i in LIMBS:
-        j, k = i % 3 + 1, (i + 1) % 3 + 1
-        tau_j, sigma_j = scalar(f"tau{j}"), scalar(f"sigma{j}")
-        tau_k, sigma_k = scalar(f"tau{k}"), scalar(f"sigma{k}")
-        total += scalar(f"{name}{i}") * (
-            tau_j * sigma_k * vector(f"n{k}")
-            - sigma_j * tau_k * vector(f"n{j}")
-            + ROOT * sigma_j * sigma_k * nu
-        )
+        total += scalar(f"{name}{i}") * response(*others(i))
     return total / (ROOT * tilt)
 
 

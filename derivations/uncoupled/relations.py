@@ -9,14 +9,17 @@ from dataclasses import dataclass
 
 from sympy import Basic, MatMul, S, Transpose, ZeroMatrix
 
-from derivations.algebra.screws import POLARITY, Klein, Screw
-from derivations.algebra.vectors import Dot, matrix, scalar, vector
+from derivations.algebra.screws import POLARITY, Klein, Lie, Screw
+from derivations.algebra.vectors import Cross, Dot, matrix, scalar, vector
+from derivations.uncoupled.accelerations import angular, linear
 from derivations.uncoupled.geometry import LIMBS, a
+from derivations.uncoupled.rates import omega, velocity
 from derivations.uncoupled.velocity import screw
 
 __all__ = ["TWIST", "TWIST_RATE", "Relation"]
 
 TWIST, TWIST_RATE = matrix("V", 6, 1), matrix("dV", 6, 1)
+REDUCED = matrix("reduced", 6, 1)
 
 
 @dataclass(frozen=True)
@@ -67,6 +70,30 @@ def klein_form() -> Named:
     form = Klein(Screw(first, first_dual), Screw(second, second_dual))
     right = Dot(first, second_dual) + Dot(second, first_dual)
     return "klein_form", Relation(form, right, "Klein form of two screws", "(13)", "m")
+
+
+def lie_product() -> Named:
+    """The Lie product of two screws, of which (12), differentiated, is made."""
+    first, second, first_dual, second_dual = map(vector, ("s1", "s2", "so1", "so2"))
+    left = Lie(Screw(first, first_dual), Screw(second, second_dual))
+    right = Screw(Cross(first, second), Cross(first, second_dual) - Cross(second, first_dual))
+    return "lie_product", Relation(left, right, "Lie product of two screws", "(12)", "1, m")
+
+
+def reduced_acceleration() -> Named:
+    """(12), differentiated: its left side."""
+    change = Screw(angular, linear - Cross(omega, velocity))
+    words = "reduced acceleration state of the platform"
+    return "reduced_acceleration", Relation(REDUCED, change, words, "(12)", "rad/s², m/s²")
+
+
+def limb_acceleration() -> Named:
+    """(15), differentiated."""
+    line = matrix("Si", 6, 1)
+    right = scalar("ddqi") * Klein(line, screw("i", 2))
+    words = "acceleration of an outer limb, passive joints eliminated"
+    left = Klein(line, REDUCED - matrix("liei", 6, 1))
+    return "limb_acceleration_i", Relation(left, right, words, "(15)", "m/s²")
 
 
 def limb_velocity() -> Named:

@@ -17,6 +17,7 @@ from kleinform.errors import (
     SingularPoseError,
     TrackingError,
 )
+from kleinform.limits import Limits
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.results import Jacobians, Screws, Singularity, Survey
 from kleinform.rotations import (
@@ -40,6 +41,7 @@ __all__ = [
     "Jacobians",
     "JointRangeError",
     "KleinformError",
+    "Limits",
     "MissingExtraError",
     "NotARotationError",
     "NotFiniteError",

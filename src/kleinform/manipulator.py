@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,6 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import InputError
 from kleinform.generated import kernels
 from kleinform.joints import TOLERANCE
+from kleinform.limits import Limits
 from kleinform.pose import check_pose
 from kleinform.results import (
     DirectSingularity,
@@ -293,8 +293,8 @@ class UncoupledManipulator:
         pose = check_pose(self, position, rotation, errors, twist=motion)
         halves = motion.reshape((*motion.shape[:-1], 2, 3))
         result = kernels.inverse_velocity(pose.radius, pose.position, pose.rotation, halves)
-        pose.reject_legs(result)
-        pose.reject_zero("inverse singularity, q6 cos q5 = 0", result.radial, result.central_length)
+        pose.reject_inverse(result)
+        pose.reject_overflow(result.rates)
         pose.screen.blank(result.rates)
         return result.rates
 
@@ -334,8 +334,55 @@ class UncoupledManipulator:
             pose.radius, pose.position, pose.rotation, pose.heading(), speeds
         )
         pose.reject_direct(result)
+        pose.reject_overflow(result.twist)
         pose.screen.blank(result.twist)
         return result.twist
+
+    def joint_rates(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        twist: ArrayLike,
+        *,
+        errors: Errors = "raise",
+    ) -> Array:
+        """Rates of all 24 joints, passive ones among them: equation (12) solved limb by limb.
+
+        Parameters
+        ----------
+        position, rotation, twist, errors
+            As in `inverse_velocity`.
+
+        Returns
+        -------
+        array (..., 4, 6)
+            A row a limb, 1, 2, 3 and the central one; a column a joint, in the order of
+            `screws`: in each limb the screws times their rates sum up to the twist. Rates are
+            in rad/s, of prismatic joints and of the cylindrical joint's translation in m/s. The
+            fourth screw of an outer limb and the last of the central limb are no unit vectors;
+            their rates are those of the screws as they are. The paper fixes both axes of the
+            universal joint to the platform, as they are at one pose: along a motion its last
+            three rates are no encoder values.
+
+        Raises
+        ------
+        SingularPoseError
+            ``(n_1 × n_2)·λ = 0``: the wrist screws span no rotation; or the errors of
+            `inverse_velocity`.
+        InputError
+        """
+        motion = real_array("twist", twist, (6,))
+        pose = check_pose(self, position, rotation, errors, twist=motion)
+        halves = motion.reshape((*motion.shape[:-1], 2, 3))
+        result = kernels.joint_rates(
+            pose.radius, pose.position, pose.rotation, pose.heading(), halves
+        )
+        pose.reject_inverse(result)
+        pose.reject_zero("(n_1 × n_2)·λ = 0, wrist", result.wrist, result.wrist_scale)
+        in_a_row = result.rates.reshape((*result.rates.shape[:-2], 24))
+        pose.reject_overflow(in_a_row)
+        pose.screen.blank(result.rates)
+        return result.rates
 
     # Acceleration analysis --------------------------------------------------------------
 
@@ -377,8 +424,7 @@ class UncoupledManipulator:
             motion.reshape((*motion.shape[:-1], 2, 3)),
             change.reshape((*change.shape[:-1], 2, 3)),
         )
-        pose.reject_legs(result)
-        pose.reject_zero("inverse singularity, q6 cos q5 = 0", result.radial, result.central_length)
+        pose.reject_inverse(result)
         pose.reject_overflow(result.accelerations)
         pose.screen.blank(result.accelerations)
         return result.accelerations
@@ -424,6 +470,92 @@ class UncoupledManipulator:
         pose.reject_overflow(result.twist_rate)
         pose.screen.blank(result.twist_rate)
         return result.twist_rate
+
+    # Statics ----------------------------------------------------------------------------
+
+    def platform_wrench(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        forces: ArrayLike,
+        *,
+        errors: Errors = "raise",
+    ) -> Array:
+        """Wrench that the platform exerts with given forces of the actuators: (17) by duality.
+
+        Quasi-static, without gravity: ``F·v_C + M·omega = Σ f_j q̇_j`` for every twist. What
+        acts on the platform from outside is minus this wrench.
+
+        Parameters
+        ----------
+        position, rotation, errors
+            As in `inverse_displacement`.
+        forces : array_like (..., 6)
+            Forces and torques of the actuators, positive where they drive their joints on:
+            f1, f2, f3 [N], f4, f5 [N m], f6 [N].
+
+        Returns
+        -------
+        array (..., 6)
+            ``[F, M]``: force [N], and moment at C [N m]. The force comes first, so that
+            ``wrench @ [v_C, omega]`` is the power; with the twist ``[omega, v_C]`` that is the
+            Klein form (13).
+
+        Raises
+        ------
+        SingularPoseError
+            As `inverse_velocity`: inverse singularities, not at the wrist singularity.
+        InputError
+        """
+        drives = real_array("forces", forces, (6,))
+        pose = check_pose(self, position, rotation, errors, forces=drives)
+        result = kernels.platform_wrench(pose.radius, pose.position, pose.rotation, drives)
+        pose.reject_inverse(result)
+        pose.reject_overflow(result.wrench)
+        pose.screen.blank(result.wrench)
+        return result.wrench
+
+    def actuator_forces(
+        self,
+        position: ArrayLike,
+        rotation: RotationLike,
+        wrench: ArrayLike,
+        *,
+        azimuth: ArrayLike | None = None,
+        errors: Errors = "raise",
+    ) -> Array:
+        """Forces of the actuators with which the platform exerts a wrench: (17) by duality.
+
+        Quasi-static, without gravity, as in `platform_wrench`.
+
+        Parameters
+        ----------
+        position, rotation, azimuth, errors
+            As in `inverse_displacement`.
+        wrench : array_like (..., 6)
+            ``[F, M]``: force [N] and moment at C [N m] that the platform exerts.
+
+        Returns
+        -------
+        array (..., 6)
+            f1, f2, f3 [N], f4, f5 [N m], f6 [N].
+
+        Raises
+        ------
+        SingularPoseError
+            As `forward_velocity`: direct singularities, not at the wrist singularity.
+        InputError
+        """
+        exerted = real_array("wrench", wrench, (6,))
+        pose = check_pose(self, position, rotation, errors, azimuth=azimuth, wrench=exerted)
+        halves = exerted.reshape((*exerted.shape[:-1], 2, 3))
+        result = kernels.actuator_forces(
+            pose.radius, pose.position, pose.rotation, pose.heading(), halves
+        )
+        pose.reject_direct(result)
+        pose.reject_overflow(result.forces)
+        pose.screen.blank(result.forces)
+        return result.forces
 
     # Singularity analysis ---------------------------------------------------------------
 
@@ -590,7 +722,7 @@ class UncoupledManipulator:
         motion: JointMotion | PoseMotion,
         count: int,
         *,
-        limits: Mapping[str, tuple[float, float]] | None = None,
+        limits: Limits | None = None,
         start_rotation: RotationLike | None = None,
         mode: int | None = None,
     ) -> Watch:
@@ -603,15 +735,16 @@ class UncoupledManipulator:
             How many samples it is looked at with. What happens between them is seen when a
             quantity changes its sign, or when the lines through the samples on both sides come
             down to zero.
-        limits : mapping of name to (low, high), optional
-            Of q1 ... q6 and e1, e2, e3, in m and rad; infinite where there is none.
+        limits : Limits, optional
+            ``Limits({"q1": (0.8, 1.4)})``, say.
         start_rotation, mode
             For a motion of the joints, as in `track`.
 
         Returns
         -------
         Watch
-            Factors and margins over time; ``.first`` is the first meeting, its time to 1e-9 s.
+            Factors, and how far limits are away, over time; ``.first`` is the first meeting,
+            its time to 1e-9 s.
 
         Raises
         ------
@@ -621,4 +754,4 @@ class UncoupledManipulator:
         """
         from kleinform.motion.watch import watch
 
-        return watch(self, motion, count, limits or {}, start_rotation, mode)
+        return watch(self, motion, count, limits or Limits(), start_rotation, mode)

@@ -88,6 +88,11 @@ class Pose:
         self.reject_incidence(result.incidence)
         self.reject_zeros(NO_LEG, result.scaled_legs, result.reach)
 
+    def reject_inverse(self, result: Any) -> None:
+        """Refuse what leaves the joint rates without an answer: the wrist factor cancels."""
+        self.reject_legs(result)
+        self.reject_zero("inverse singularity, q6 cos q5 = 0", result.radial, result.central_length)
+
     def reject_direct(self, result: Any) -> None:
         """Refuse what leaves the twist without an answer: the wrist factor cancels."""
         self.reject_legs(result)
@@ -100,9 +105,9 @@ class Pose:
         self.reject_axis(result.radial, result.central_length)
 
     def reject_overflow(self, result: Array) -> None:
-        """Refuse what is singular no more, and still not finite: products of large rates."""
+        """Refuse what is singular no more, and still not finite: products of such numbers."""
         if not sized(result, 0.0, HUGE):
-            rule = "the rates are so large that the result overflows"
+            rule = "the numbers are so large or so small that the result overflows"
             self.screen.reject(~np.isfinite(result).all(axis=-1), InputError, rule)
 
     def on_axis(self, radial: Array, length: Array) -> Mask:

@@ -13,7 +13,7 @@ from xml.etree import ElementTree
 import pytest
 from sympy import MatAdd, Symbol
 
-from derivations.algebra.screws import Klein
+from derivations.algebra.screws import Klein, Lie
 from derivations.algebra.vectors import Cross, Dot, Norm, scalar, vector
 from derivations.codegen.printers.breaking import lines
 from derivations.codegen.printers.document import Entry, mathml
@@ -25,9 +25,11 @@ from derivations.uncoupled import (
     correction,
     displacement,
     eliminant,
+    joint_rates,
     leg_step,
     orientation,
     rates,
+    statics,
 )
 from derivations.uncoupled.display import COLLECTIONS, displayed, family_name
 from derivations.uncoupled.notation import NOTATION
@@ -53,6 +55,9 @@ GRAPHS = (
     orientation.to_angles_graph,
     rates.inverse_velocity_graph,
     rates.forward_velocity_graph,
+    joint_rates.joint_rates_graph,
+    statics.platform_wrench_graph,
+    statics.actuator_forces_graph,
 )
 #: Words in formulas, marks below and above, and commands: what is left are letters alone.
 NOT_LETTERS = (
@@ -132,6 +137,8 @@ def test_a_symbol_without_a_letter_is_refused(printer: VectorLatex) -> None:
         ),
         (Norm(vector("c") - vector("b1")), r"\left|\mathbf{c} - \mathbf{b}_{1}\right|"),
         (Klein(screw(4, 5), screw(4, 1)), r"\{{}^{4}\$_{4}^{5};\, {}^{0}\$_{4}^{1}\}"),
+        (Lie(screw(1, 2), screw(1, 3)), r"[{}^{1}\$_{1}^{2} \; {}^{2}\$_{1}^{3}]"),
+        (scalar("rate12"), r"{}_{1}\omega_{2}^{1}"),
         (scalar("gt1") ** 2, r"(g_{1}^{t})^{2}"),
         (-scalar("h1") / scalar("p1"), r"-\frac{h_{1}}{p_{1}}"),
         (scalar("n1_x") * scalar("e1") + scalar("c_x"), r"c_{x} + e_{1} n_{1x}"),

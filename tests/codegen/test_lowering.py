@@ -59,6 +59,8 @@ def exact_inputs(kernel: Kernel, pose: int) -> dict[str, Basic]:
         "rates": ImmutableDenseMatrix([Rational(2 * k - 5, 7) for k in range(6)]),
         "twist_rate": ImmutableDenseMatrix(2, 3, [Rational(3 - 2 * k, 5) for k in range(6)]),
         "accelerations": ImmutableDenseMatrix([Rational(7 - 3 * k, 4) for k in range(6)]),
+        "forces": ImmutableDenseMatrix([Rational(5 - 3 * k, 2) for k in range(6)]),
+        "wrench": ImmutableDenseMatrix(2, 3, [Rational(3 * k - 4, 5) for k in range(6)]),
         "lengths": ImmutableDenseMatrix(lengths),
         "directions": ImmutableDenseMatrix.vstack(n1.T, n2.T),
         "n1": n1,

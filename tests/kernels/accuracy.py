@@ -35,6 +35,7 @@ VECTORS = {
     "J_v": ((2, 3, 6), 1),
     "twist": ((2, 3), 1),
     "twist_rate": ((2, 3), 1),
+    "wrench": ((2, 3), 1),
     **{f"limb{limb}": ((6, 2, 3), 2) for limb in (1, 2, 3, 4)},
 }
 Arguments = dict[str, np.ndarray]
@@ -57,6 +58,8 @@ def arguments(name: str, case: Case, rng: np.random.Generator) -> Arguments:
         "rates": rng.normal(size=6) * np.array([radius, radius, radius, 1.0, 1.0, radius]),
         "twist_rate": rng.normal(size=(2, 3)) * np.array([[1.0], [radius]]),
         "accelerations": rng.normal(size=6) * np.array([radius, radius, radius, 1.0, 1.0, radius]),
+        "forces": rng.normal(size=6) * np.array([1.0, 1.0, 1.0, radius, radius, 1.0]),
+        "wrench": rng.normal(size=(2, 3)) * np.array([[1.0], [radius]]),
         "lengths": lengths,
         "directions": np.array([first, second]),
         "n1": first,

@@ -10,6 +10,7 @@ from scipy.optimize import brentq
 from scipy.spatial.transform import Rotation
 
 from kleinform import InputError, TrackingError, UncoupledManipulator
+from kleinform.limits import Limits
 from kleinform.motion import JointMotion, PoseMotion, rest_to_rest
 from kleinform.paper.examples import example_1, example_2
 
@@ -60,15 +61,15 @@ def test_factors_are_those_of_the_survey() -> None:
 @pytest.mark.parametrize("count", [30, 101, 1001])
 def test_a_limit_of_a_joint(count: int) -> None:
     """q2 = 1.191 + 0.15 sin 2t."""
-    found = ROBOT.watch(example_1(), count, start_rotation=START, limits={"q2": (0.0, 1.3)})
+    found = ROBOT.watch(example_1(), count, start_rotation=START, limits=Limits({"q2": (0.0, 1.3)}))
     assert found.first[1:] == ("q2 high", "limit")
     assert abs(found.first.time - 0.5 * np.arcsin((1.3 - 1.191) / 0.15)) <= SOON
-    assert sorted(found.margins) == ["q2 high", "q2 low"]
-    assert np.array_equal(found.margins["q2 high"], 1.3 - found.joints[:, 1])
+    assert sorted(found.room) == ["q2 high", "q2 low"]
+    assert np.array_equal(found.room["q2 high"], 1.3 - found.joints[:, 1])
 
 
 def test_the_first_of_several_limits() -> None:
-    limits = {"q1": (0.5, 1.1), "q6": (0.9, 2.0), "e1": (0.73, 2.0)}
+    limits = Limits({"q1": (0.5, 1.1), "q6": (0.9, 2.0), "e1": (0.73, 2.0)})
     found = ROBOT.watch(example_1(), 301, start_rotation=START, limits=limits)
     assert found.first[1:] == ("e1 low", "limit")
     sample = int(np.argmax(found.survey.extension[:, 0] <= 0.73))
@@ -79,7 +80,7 @@ def test_the_first_of_several_limits() -> None:
 @pytest.mark.parametrize("beyond", [1e-4, 1e-6, 1e-9])
 def test_a_limit_that_is_passed_between_two_samples(beyond: float) -> None:
     """The peak 1.125 of q1 = 1 + 0.125 sin 2t, above the limit for a moment only."""
-    limits = {"q1": (0.0, 1.125 - beyond)}
+    limits = Limits({"q1": (0.0, 1.125 - beyond)})
     found = ROBOT.watch(example_1(), 60, start_rotation=START, limits=limits)
     early = 0.5 * np.arccos((0.125 - beyond) / 0.125)
     assert found.first.name == "q1 high"
@@ -87,26 +88,36 @@ def test_a_limit_that_is_passed_between_two_samples(beyond: float) -> None:
 
 
 def test_a_limit_that_is_touched() -> None:
-    found = ROBOT.watch(example_1(), 60, start_rotation=START, limits={"q1": (0.0, 1.125)})
+    found = ROBOT.watch(example_1(), 60, start_rotation=START, limits=Limits({"q1": (0.0, 1.125)}))
     assert found.first.name == "q1 high"
     assert abs(found.first.time - np.pi / 4.0) <= SOON
 
 
 @pytest.mark.parametrize("short", [1e-6, 1e-12])
 def test_a_limit_that_is_missed(short: float) -> None:
-    limits = {"q1": (0.0, 1.125 + short)}
+    limits = Limits({"q1": (0.0, 1.125 + short)})
     assert ROBOT.watch(example_1(), 60, start_rotation=START, limits=limits).first is None
 
 
+def test_a_margin_of_a_factor() -> None:
+    """The orientation factor comes down to its margin before it vanishes."""
+    motion = poses(lambda t: HOME + 0.0 * t, turning_back, 2.0)
+    found = ROBOT.watch(motion, 64, limits=Limits(margins={"orientation": 0.05}))
+    assert found.first[1:] == ("orientation margin", "limit")
+    place = np.array([found.first.time])
+    factor = ROBOT.direct_singularity(HOME, turning_back(place)).factors["orientation"]
+    assert abs(abs(factor[0]) - 0.05) <= 1e-9
+
+
 def test_an_infinite_limit_is_none() -> None:
-    limits = {"q1": (-np.inf, np.inf), "q2": (0.5, np.inf)}
+    limits = Limits({"q1": (-np.inf, np.inf), "q2": (0.5, np.inf)})
     found = ROBOT.watch(example_1(), 20, start_rotation=START, limits=limits)
     assert found.first is None
-    assert list(found.margins) == ["q2 low"]
+    assert list(found.room) == ["q2 low"]
 
 
 def test_a_motion_that_begins_beyond_a_limit() -> None:
-    limits = {"q1": (0.0, 0.9)}
+    limits = Limits({"q1": (0.0, 0.9)})
     found = ROBOT.watch(example_1(), 20, start_rotation=START, limits=limits)
     assert found.first == (0.0, "q1 high", "limit")
 
@@ -115,7 +126,7 @@ def test_limits_of_the_azimuth_count_turns() -> None:
     """C goes once around the Z axis; 4 rad come after the jump of atan2 at π."""
     circle = lambda t: 0.25 * np.concatenate([np.cos(t), np.sin(t), 4.0 + 0.0 * t], axis=1)  # noqa: E731
     motion = poses(circle, lambda _: START, 6.0)
-    found = ROBOT.watch(motion, 101, limits={"q4": (-1.0, 4.0)})
+    found = ROBOT.watch(motion, 101, limits=Limits({"q4": (-1.0, 4.0)}))
     assert abs(found.joints[:, 3] - found.times).max() <= 1e-14
     assert found.first.name == "q4 high"
     assert abs(found.first.time - 4.0) <= SOON
@@ -267,7 +278,7 @@ def test_a_limit_before_the_end_of_a_mode() -> None:
     path = lambda t: ROBOT.inverse_displacement(HOME, turning_back(t[:, 0]))  # noqa: E731
     q1 = float(path(np.array([[0.999]]))[0, 0])
     limits = {"q1": (0.0, q1)} if path(np.zeros((1, 1)))[0, 0] < q1 else {"q1": (q1, 9.0)}
-    found = ROBOT.watch(joints(path, 2.0), 40, start_rotation=START, limits=limits)
+    found = ROBOT.watch(joints(path, 2.0), 40, start_rotation=START, limits=Limits(limits))
     assert found.first.kind == "limit"
     assert abs(found.first.time - 0.999) <= SOON
 
@@ -285,9 +296,6 @@ def test_a_mode_by_its_number() -> None:
 
 def test_what_is_asked_wrongly() -> None:
     motion = example_1()
-    for limits in ({"q7": (0.0, 1.0)}, {"q1": (1.0, 0.0)}, {"q1": (np.nan, 1.0)}, {"q1": 3.0}):
-        with pytest.raises(InputError, match=r"^limits: "):
-            ROBOT.watch(motion, 20, start_rotation=START, limits=limits)
     with pytest.raises(InputError, match=r"^count: "):
         ROBOT.watch(motion, 1, start_rotation=START)
     with pytest.raises(InputError, match="either start_rotation or mode="):

@@ -97,6 +97,10 @@ class VectorLatex(LatexPrinter):
         first, second = map(self._print, expr.args)
         return _fenced(rf"{first};\, {second}", r"\{", r"\}")
 
+    def _print_Lie(self, expr: Basic) -> str:
+        first, second = map(self._print, expr.args)
+        return _fenced(rf"{first} \; {second}", "[", "]")
+
     # matrices
 
     def _print_ZeroMatrix(self, expr: Basic) -> str:

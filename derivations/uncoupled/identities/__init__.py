@@ -13,12 +13,16 @@ from derivations.uncoupled.identities import (
     degree,
     displacement,
     eliminant,
+    joint_rates,
     klein,
     leg_step,
+    lie_screws,
+    motion,
     orientation,
     rates,
     reciprocity,
     singularity,
+    statics,
     velocity,
 )
 
@@ -38,9 +42,13 @@ SECTIONS = (
     velocity,
     reciprocity,
     rates,
+    joint_rates,
+    statics,
     accelerations,
+    lie_screws,
     singularity,
     degenerate,
+    motion,
 )
 
 

@@ -4,6 +4,7 @@
 
 from kleinform_kernels._backend import BACKEND
 from kleinform_kernels.uncoupled.numpy_kernels import (
+    ActuatorForces,
     Arms,
     CentralForward,
     CentralInverse,
@@ -21,10 +22,12 @@ from kleinform_kernels.uncoupled.numpy_kernels import (
     InverseSingularity,
     InverseVelocity,
     Jacobians,
+    JointRates,
     JointsAndJacobians,
     LegStep,
     LimbGeometry,
     NewtonStep,
+    PlatformWrench,
     RotationDefect,
     RotationFromDirections,
     RotationFromRpy,
@@ -36,6 +39,7 @@ from kleinform_kernels.uncoupled.numpy_kernels import (
 
 if BACKEND == "compiled":
     from kleinform_kernels.uncoupled.compiled_kernels import (
+        actuator_forces,
         arms,
         central_forward,
         central_inverse,
@@ -53,10 +57,12 @@ if BACKEND == "compiled":
         inverse_singularity,
         inverse_velocity,
         jacobians,
+        joint_rates,
         joints_and_jacobians,
         leg_step,
         limb_geometry,
         newton_step,
+        platform_wrench,
         rotation_defect,
         rotation_from_directions,
         rotation_from_rpy,
@@ -67,6 +73,7 @@ if BACKEND == "compiled":
     )
 else:
     from kleinform_kernels.uncoupled.numpy_kernels import (
+        actuator_forces,
         arms,
         central_forward,
         central_inverse,
@@ -84,10 +91,12 @@ else:
         inverse_singularity,
         inverse_velocity,
         jacobians,
+        joint_rates,
         joints_and_jacobians,
         leg_step,
         limb_geometry,
         newton_step,
+        platform_wrench,
         rotation_defect,
         rotation_from_directions,
         rotation_from_rpy,
@@ -99,6 +108,7 @@ else:
 
 __all__ = [
     "BACKEND",
+    "ActuatorForces",
     "Arms",
     "CentralForward",
     "CentralInverse",
@@ -116,10 +126,12 @@ __all__ = [
     "InverseSingularity",
     "InverseVelocity",
     "Jacobians",
+    "JointRates",
     "JointsAndJacobians",
     "LegStep",
     "LimbGeometry",
     "NewtonStep",
+    "PlatformWrench",
     "RotationDefect",
     "RotationFromDirections",
     "RotationFromRpy",
@@ -127,6 +139,7 @@ __all__ = [
     "Screws",
     "Survey",
     "TurnedDirections",
+    "actuator_forces",
     "arms",
     "central_forward",
     "central_inverse",
@@ -144,10 +157,12 @@ __all__ = [
     "inverse_singularity",
     "inverse_velocity",
     "jacobians",
+    "joint_rates",
     "joints_and_jacobians",
     "leg_step",
     "limb_geometry",
     "newton_step",
+    "platform_wrench",
     "rotation_defect",
     "rotation_from_directions",
     "rotation_from_rpy",

@@ -40,6 +40,9 @@ jacobians: np.ufunc
 joints_and_jacobians: np.ufunc
 inverse_velocity: np.ufunc
 forward_velocity: np.ufunc
+joint_rates: np.ufunc
+platform_wrench: np.ufunc
+actuator_forces: np.ufunc
 inverse_acceleration: np.ufunc
 forward_acceleration: np.ufunc
 inverse_singularity: np.ufunc

@@ -14,6 +14,7 @@ from typing import TYPE_CHECKING
 from kleinform_kernels._apply import apply_compiled
 from kleinform_kernels.uncoupled import _compiled
 from kleinform_kernels.uncoupled.numpy_kernels import (
+    ActuatorForces,
     Arms,
     CentralForward,
     CentralInverse,
@@ -31,10 +32,12 @@ from kleinform_kernels.uncoupled.numpy_kernels import (
     InverseSingularity,
     InverseVelocity,
     Jacobians,
+    JointRates,
     JointsAndJacobians,
     LegStep,
     LimbGeometry,
     NewtonStep,
+    PlatformWrench,
     RotationDefect,
     RotationFromDirections,
     RotationFromRpy,
@@ -1109,6 +1112,198 @@ def forward_velocity(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLik
             (
                 (6,),
                 (),
+                (3,),
+                (3,),
+                (),
+                (),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+_joint_rates = _compiled.OnePose("joint_rates", JointRates)
+
+
+def joint_rates(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLike, twist: ArrayLike) -> JointRates:
+    """The rates of all joints of the four limbs from the twist.
+
+    Equations (12) of the paper; base frame.
+    628 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    heading : array (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+    twist : array (..., 2, 3)
+        [omega, v_C] [rad/s, m/s]
+
+    Returns
+    -------
+    rates : array (..., 4, 6)
+        a row a limb [rad/s, m/s]
+    wrist : array (...)
+        (n_1 × n_2)·lambda [1]
+    wrist_scale : array (...)
+        scale of wrist [1]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return _joint_rates(a, c, R, heading, twist) or JointRates(
+        *apply_compiled(
+            _compiled.joint_rates,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("heading", heading, (2,)),
+                ("twist", twist, (2, 3)),
+            ),
+            (
+                (4, 6),
+                (),
+                (),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+_platform_wrench = _compiled.OnePose("platform_wrench", PlatformWrench)
+
+
+def platform_wrench(a: ArrayLike, c: ArrayLike, R: ArrayLike, forces: ArrayLike) -> PlatformWrench:
+    """Wrench that the platform exerts from the forces of the actuators.
+
+    Equations (15), (16), by duality of the paper; base frame.
+    304 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    forces : array (..., 6)
+        f1 ... f6 [N, N m]
+
+    Returns
+    -------
+    wrench : array (..., 6)
+        [force, moment at C] [N, N m]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return _platform_wrench(a, c, R, forces) or PlatformWrench(
+        *apply_compiled(
+            _compiled.platform_wrench,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("forces", forces, (6,)),
+            ),
+            (
+                (6,),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+_actuator_forces = _compiled.OnePose("actuator_forces", ActuatorForces)
+
+
+def actuator_forces(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLike, wrench: ArrayLike) -> ActuatorForces:
+    """Forces of the actuators from the wrench that the platform exerts.
+
+    Equations (16), (17), by duality of the paper; base frame.
+    372 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    heading : array (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+    wrench : array (..., 2, 3)
+        [force, moment at C] [N, N m]
+
+    Returns
+    -------
+    forces : array (..., 6)
+        f1 ... f6 [N, N m]
+    extension : array (..., 3)
+        signed distances e_i from C to B_i [m]
+    extension_scale : array (..., 3)
+        scales of the e_i [m]
+    orientation : array (...)
+        det[n_i × (d_i − c)] [m³]
+    orientation_scale : array (...)
+        scale of orientation [m³]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return _actuator_forces(a, c, R, heading, wrench) or ActuatorForces(
+        *apply_compiled(
+            _compiled.actuator_forces,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("heading", heading, (2,)),
+                ("wrench", wrench, (2, 3)),
+            ),
+            (
+                (6,),
                 (3,),
                 (3,),
                 (),

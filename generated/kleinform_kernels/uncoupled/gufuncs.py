@@ -13,6 +13,7 @@ if BACKEND != "compiled":
     raise ImportError(REASON)
 
 from kleinform_kernels.uncoupled._compiled import (
+    actuator_forces,
     arms,
     central_forward,
     central_inverse,
@@ -30,10 +31,12 @@ from kleinform_kernels.uncoupled._compiled import (
     inverse_singularity,
     inverse_velocity,
     jacobians,
+    joint_rates,
     joints_and_jacobians,
     leg_step,
     limb_geometry,
     newton_step,
+    platform_wrench,
     rotation_defect,
     rotation_from_directions,
     rotation_from_rpy,
@@ -44,6 +47,7 @@ from kleinform_kernels.uncoupled._compiled import (
 )
 
 __all__ = [
+    "actuator_forces",
     "arms",
     "central_forward",
     "central_inverse",
@@ -61,10 +65,12 @@ __all__ = [
     "inverse_singularity",
     "inverse_velocity",
     "jacobians",
+    "joint_rates",
     "joints_and_jacobians",
     "leg_step",
     "limb_geometry",
     "newton_step",
+    "platform_wrench",
     "rotation_defect",
     "rotation_from_directions",
     "rotation_from_rpy",

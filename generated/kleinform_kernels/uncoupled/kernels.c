@@ -3830,6 +3830,829 @@ KLEINFORM_API void kleinform_forward_velocity(
     forward_velocity_body(1, &a, c, R, heading, rates, twist, determinant, extension, extension_scale, orientation, orientation_scale, incidence, scaled_legs, radial, central_length, reach);
 }
 
+KLEINFORM_BODY void joint_rates_body(
+    size_t stride,
+    const double *RESTRICT in_a,
+    const double *RESTRICT in_c,
+    const double *RESTRICT in_R,
+    const double *RESTRICT in_heading,
+    const double *RESTRICT in_twist,
+    double *RESTRICT out_rates,
+    double *RESTRICT out_wrist,
+    double *RESTRICT out_wrist_scale,
+    double *RESTRICT out_incidence,
+    double *RESTRICT out_scaled_legs,
+    double *RESTRICT out_radial,
+    double *RESTRICT out_central_length,
+    double *RESTRICT out_reach)
+{
+    const double a = in_a[0];
+    const double c_x = in_c[0];
+    const double c_y = in_c[stride];
+    const double c_z = in_c[2 * stride];
+    const double n1_x = in_R[0];
+    const double m1_x = in_R[stride];
+    const double nu_x = in_R[2 * stride];
+    const double n1_y = in_R[3 * stride];
+    const double m1_y = in_R[4 * stride];
+    const double nu_y = in_R[5 * stride];
+    const double n1_z = in_R[6 * stride];
+    const double m1_z = in_R[7 * stride];
+    const double nu_z = in_R[8 * stride];
+    const double heading_1 = in_heading[0];
+    const double heading_2 = in_heading[stride];
+    const double omega_x = in_twist[0];
+    const double omega_y = in_twist[stride];
+    const double omega_z = in_twist[2 * stride];
+    const double v_x = in_twist[3 * stride];
+    const double v_y = in_twist[4 * stride];
+    const double v_z = in_twist[5 * stride];
+    const double x0 = 0.5*n1_x;
+    const double x1 = SQRT3_2*m1_x;
+    /* direction from C to B_2, n_1 turned by 120° about nu (5) [1] */
+    const double n2_x = -x0 + x1;
+    const double x2 = 0.5*n1_y;
+    const double x3 = SQRT3_2*m1_y;
+    const double n2_y = -x2 + x3;
+    const double x4 = 0.5*n1_z;
+    const double x5 = SQRT3_2*m1_z;
+    const double n2_z = -x4 + x5;
+    const double x6 = 0.5*m1_x;
+    const double x7 = SQRT3_2*n1_x;
+    /* platform direction normal to n_2 [1] */
+    const double m2_x = -x6 - x7;
+    const double x8 = 0.5*m1_y;
+    const double x9 = SQRT3_2*n1_y;
+    const double m2_y = -x8 - x9;
+    const double x10 = 0.5*m1_z;
+    const double x11 = SQRT3_2*n1_z;
+    const double m2_z = -x10 - x11;
+    /* direction from C to B_3, n_1 turned by 240° about nu (5) [1] */
+    const double n3_x = -x0 - x1;
+    const double n3_y = -x2 - x3;
+    const double n3_z = -x4 - x5;
+    /* platform direction normal to n_3 [1] */
+    const double m3_x = -x6 + x7;
+    const double m3_y = -x8 + x9;
+    const double m3_z = -x10 + x11;
+    const double x12 = (c_x*c_x) + (c_y*c_y);
+    /* length of the central limb (11) [m] */
+    const double q6 = sqrt((c_z*c_z) + x12);
+    /* distance of C from the Z axis (11) [m] */
+    const double r = sqrt(x12);
+    const double x13 = 1.0/q6;
+    /* unit vector along the central limb, from O to C (1) [1] */
+    const double lambda_x = c_x*x13;
+    const double lambda_y = c_y*x13;
+    const double lambda_z = c_z*x13;
+    const double x14 = -c_x;
+    const double x15 = a + x14;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h1 = x15;
+    const double x16 = 1.0/n1_x;
+    /* signed distance from C to B_i (4) [m] */
+    const double e1 = h1*x16;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt1 = c_y*n1_x + h1*n1_y;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz1 = c_z*n1_x + h1*n1_z;
+    /* p_i times the leg, its length [m] */
+    const double l1 = sqrt((gt1*gt1) + (gz1*gz1));
+    const double x17 = 1.0/fabs(n1_x);
+    /* length of the outer limb (10) [m] */
+    const double q1 = l1*x17;
+    const double x18 = 1.0/q1;
+    const double x19 = gt1*x18;
+    /* unit vector along the outer limb Section IV [1] */
+    const double w1_y = x16*x19;
+    const double x20 = gz1*x18;
+    const double w1_z = x16*x20;
+    const double x21 = -0.5*a;
+    /* position of A_2 Section II [m] */
+    const double a2_x = x21;
+    const double x22 = SQRT3_2*a;
+    const double a2_y = x22;
+    const double x23 = SQRT3_2*c_y;
+    const double x24 = a + 0.5*c_x;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h2 = -x23 + x24;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p2 = SQRT3_2*n2_y - 0.5*n2_x;
+    const double x25 = 1.0/p2;
+    /* signed distance from C to B_i (4) [m] */
+    const double e2 = h2*x25;
+    const double x26 = 0.5*n2_y;
+    const double x27 = -SQRT3_2*n2_x - x26;
+    const double x28 = 0.5*c_y;
+    const double x29 = SQRT3_2*c_x;
+    const double x30 = -x28 - x29;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt2 = h2*x27 + p2*x30;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz2 = c_z*p2 + h2*n2_z;
+    /* p_i times the leg, its length [m] */
+    const double l2 = sqrt((gt2*gt2) + (gz2*gz2));
+    const double x31 = 1.0/fabs(p2);
+    /* length of the outer limb (10) [m] */
+    const double q2 = l2*x31;
+    const double x32 = 1.0/q2;
+    const double x33 = gt2*x32;
+    const double x34 = x25*x33;
+    /* unit vector along the outer limb Section IV [1] */
+    const double w2_x = -SQRT3_2*x34;
+    const double w2_y = -0.5*x34;
+    const double x35 = x25*x32;
+    const double w2_z = gz2*x35;
+    /* position of A_3 Section II [m] */
+    const double a3_x = x21;
+    const double a3_y = -x22;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h3 = x23 + x24;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p3 = -SQRT3_2*n3_y - 0.5*n3_x;
+    const double x36 = 1.0/p3;
+    /* signed distance from C to B_i (4) [m] */
+    const double e3 = h3*x36;
+    const double x37 = SQRT3_2*n3_x - 0.5*n3_y;
+    const double x38 = -x28 + x29;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt3 = h3*x37 + p3*x38;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz3 = c_z*p3 + h3*n3_z;
+    /* p_i times the leg, its length [m] */
+    const double l3 = sqrt((gt3*gt3) + (gz3*gz3));
+    const double x39 = 1.0/fabs(p3);
+    /* length of the outer limb (10) [m] */
+    const double q3 = l3*x39;
+    const double x40 = 1.0/q3;
+    const double x41 = gt3*x40;
+    const double x42 = x36*x41;
+    /* unit vector along the outer limb Section IV [1] */
+    const double w3_x = SQRT3_2*x42;
+    const double w3_y = -0.5*x42;
+    const double x43 = x36*x40;
+    const double w3_z = gz3*x43;
+    const double x44 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)));
+    /* axis of the second revolute of the central limb Section IV [1] */
+    const double axis_x = heading_2*x44;
+    const double axis_y = -heading_1*x44;
+    /* axis of the upper revolute, not a unit vector Section IV [1] */
+    const double nw1_x = x18*(-c_y*n1_z + c_z*n1_y);
+    const double nw1_y = -x20;
+    const double nw1_z = x19;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau1 = -gt1*nu_z + gz1*nu_y;
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma1 = gt1*m1_z - gz1*m1_y;
+    const double x45 = c_z*x27;
+    const double x46 = n2_z*x30;
+    /* axis of the upper revolute, not a unit vector Section IV [1] */
+    const double nw2_x = x32*(SQRT3_2*gz2 - 0.5*x45 + 0.5*x46);
+    const double nw2_y = x32*(SQRT3_2*(x45 - x46) + 0.5*gz2);
+    const double nw2_z = x33;
+    const double x47 = 0.5*nu_y;
+    const double x48 = SQRT3_2*nu_x;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau2 = -gt2*nu_z + gz2*(-x47 - x48);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y);
+    const double x49 = c_z*x37;
+    /* axis of the upper revolute, not a unit vector Section IV [1] */
+    const double nw3_x = x40*(-SQRT3_2*gz3 + 0.5*n3_z*x38 - 0.5*x49);
+    const double nw3_y = x40*(-SQRT3_2*(-n3_z*x38 + x49) + 0.5*gz3);
+    const double nw3_z = x41;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau3 = -gt3*nu_z + gz3*(-x47 + x48);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y);
+    /* wrist: the central limb in the platform's plane (26), (27) [1] */
+    const double wrist = SQRT3_2*x13*(c_x*nu_x + c_y*nu_y + c_z*nu_z);
+    /* largest length in a leg's equations [m] */
+    const double reach = a + 2.0*q6;
+    /* rate of the outer limb 1 (15) [m/s] */
+    const double dq1 = x16*x17*(-h1*(omega_x*(-m1_x*sigma1 + nu_x*tau1) + omega_y*(-m1_y*sigma1 + nu_y*tau1) + omega_z*(-m1_z*sigma1 + nu_z*tau1)) - n1_x*(v_x*(m1_x*tau1 + nu_x*sigma1) + v_y*(m1_y*tau1 + nu_y*sigma1) + v_z*(m1_z*tau1 + nu_z*sigma1)))/l1;
+    /* rate of the outer limb 2 (15) [m/s] */
+    const double dq2 = x25*x31*(-h2*(omega_x*(-m2_x*sigma2 + nu_x*tau2) + omega_y*(-m2_y*sigma2 + nu_y*tau2) + omega_z*(-m2_z*sigma2 + nu_z*tau2)) - p2*(v_x*(m2_x*tau2 + nu_x*sigma2) + v_y*(m2_y*tau2 + nu_y*sigma2) + v_z*(m2_z*tau2 + nu_z*sigma2)))/l2;
+    /* rate of the outer limb 3 (15) [m/s] */
+    const double dq3 = x36*x39*(-h3*(omega_x*(-m3_x*sigma3 + nu_x*tau3) + omega_y*(-m3_y*sigma3 + nu_y*tau3) + omega_z*(-m3_z*sigma3 + nu_z*tau3)) - p3*(v_x*(m3_x*tau3 + nu_x*sigma3) + v_y*(m3_y*tau3 + nu_y*sigma3) + v_z*(m3_z*tau3 + nu_z*sigma3)))/l3;
+    /* rate of the azimuth (16) [rad/s] */
+    const double dq4 = (c_x*v_y - c_y*v_x)/((r*r));
+    /* rate of the elevation (16) [rad/s] */
+    const double dq5 = (-c_z*(c_x*v_x + c_y*v_y)/r + r*v_z)/((q6*q6));
+    /* rate of the central limb's length (16) [m/s] */
+    const double dq6 = lambda_x*v_x + lambda_y*v_y + lambda_z*v_z;
+    const double x50 = nw1_x*v_x + nw1_y*v_y + nw1_z*v_z;
+    /* rate of the base revolute (12) [rad/s] */
+    const double rate11 = x16*x18*(e1*(omega_x*(n1_y*nw1_z - n1_z*nw1_y) + omega_y*(-n1_x*nw1_z + n1_z*nw1_x) + omega_z*(n1_x*nw1_y - n1_y*nw1_x)) + x50);
+    const double x51 = -x15;
+    /* rate of the cylindrical joint's rotation (12) [rad/s] */
+    const double rate15 = x18*(-omega_x*(-c_y*nw1_z + c_z*nw1_y) - omega_y*(-c_z*nw1_x + nw1_z*x51) - omega_z*(c_y*nw1_x - nw1_y*x51) - x50)/((nw1_x*nw1_x) + (nw1_y*nw1_y) + (nw1_z*nw1_z));
+    /* rate of the cylindrical joint's translation (12) [m/s] */
+    const double rate16 = x16*(e1*(-n1_y*omega_z + n1_z*omega_y) + v_x);
+    const double x52 = -omega_y;
+    const double x53 = -n1_y*rate15 - x52;
+    const double x54 = -omega_z;
+    const double x55 = -n1_z*rate15 - x54;
+    /* rate of the revolute along the leg (12) [rad/s] */
+    const double rate13 = w1_y*x53 + w1_z*x55;
+    /* rate of the upper revolute, whose axis is no unit vector (12) [rad/s] */
+    const double rate14 = x16*(w1_y*x55 - w1_z*x53);
+    const double x56 = nw2_x*v_x + nw2_y*v_y + nw2_z*v_z;
+    /* rate of the base revolute (12) [rad/s] */
+    const double rate21 = x35*(e2*(omega_x*(n2_y*nw2_z - n2_z*nw2_y) + omega_y*(-n2_x*nw2_z + n2_z*nw2_x) + omega_z*(n2_x*nw2_y - n2_y*nw2_x)) + x56);
+    const double x57 = -c_y;
+    const double x58 = -a2_y - x57;
+    const double x59 = -a2_x - x14;
+    /* rate of the cylindrical joint's rotation (12) [rad/s] */
+    const double rate25 = x32*(-omega_x*(c_z*nw2_y - nw2_z*x58) - omega_y*(-c_z*nw2_x + nw2_z*x59) - omega_z*(nw2_x*x58 - nw2_y*x59) - x56)/((nw2_x*nw2_x) + (nw2_y*nw2_y) + (nw2_z*nw2_z));
+    const double x60 = 0.5*v_x;
+    const double x61 = SQRT3_2*v_y;
+    const double x62 = 0.5*omega_y;
+    /* rate of the cylindrical joint's translation (12) [m/s] */
+    const double rate26 = x25*(e2*(SQRT3_2*(n2_x*omega_z - n2_z*omega_x) - n2_z*x62 + omega_z*x26) - x60 + x61);
+    const double x63 = -omega_x;
+    const double x64 = -n2_x*rate25 - x63;
+    const double x65 = -n2_y*rate25 - x52;
+    const double x66 = -n2_z*rate25 - x54;
+    /* rate of the revolute along the leg (12) [rad/s] */
+    const double rate23 = w2_x*x64 + w2_y*x65 + w2_z*x66;
+    /* rate of the upper revolute, whose axis is no unit vector (12) [rad/s] */
+    const double rate24 = x25*(SQRT3_2*w2_z*x64 + 0.5*w2_z*x65 + x66*(-SQRT3_2*w2_x - 0.5*w2_y));
+    const double x67 = nw3_x*v_x + nw3_y*v_y + nw3_z*v_z;
+    /* rate of the base revolute (12) [rad/s] */
+    const double rate31 = x43*(e3*(omega_x*(n3_y*nw3_z - n3_z*nw3_y) + omega_y*(-n3_x*nw3_z + n3_z*nw3_x) + omega_z*(n3_x*nw3_y - n3_y*nw3_x)) + x67);
+    const double x68 = -a3_y - x57;
+    const double x69 = -a3_x - x14;
+    /* rate of the cylindrical joint's rotation (12) [rad/s] */
+    const double rate35 = x40*(-omega_x*(c_z*nw3_y - nw3_z*x68) - omega_y*(-c_z*nw3_x + nw3_z*x69) - omega_z*(nw3_x*x68 - nw3_y*x69) - x67)/((nw3_x*nw3_x) + (nw3_y*nw3_y) + (nw3_z*nw3_z));
+    /* rate of the cylindrical joint's translation (12) [m/s] */
+    const double rate36 = x36*(e3*(-SQRT3_2*(n3_x*omega_z - n3_z*omega_x) + 0.5*n3_y*omega_z - n3_z*x62) - x60 - x61);
+    const double x70 = -n3_x*rate35 - x63;
+    const double x71 = -n3_y*rate35 - x52;
+    const double x72 = -n3_z*rate35 - x54;
+    /* rate of the revolute along the leg (12) [rad/s] */
+    const double rate33 = w3_x*x70 + w3_y*x71 + w3_z*x72;
+    /* rate of the upper revolute, whose axis is no unit vector (12) [rad/s] */
+    const double rate34 = x36*(-SQRT3_2*w3_z*x70 + 0.5*w3_z*x71 + x72*(SQRT3_2*w3_x - 0.5*w3_y));
+    /* angular velocity that the passive joints of the central limb make (12) [rad/s] */
+    const double spin_x = -axis_x*dq5 - x63;
+    const double spin_y = -axis_y*dq5 - x52;
+    const double spin_z = -dq4 - x54;
+    /* rate of the revolute along the central limb (12) [rad/s] */
+    const double rate44 = SQRT3_2*(nu_x*spin_x + nu_y*spin_y + nu_z*spin_z)/wrist;
+    const double x73 = -lambda_x*rate44 + spin_x;
+    const double x74 = -lambda_y*rate44 + spin_y;
+    const double x75 = -lambda_z*rate44 + spin_z;
+    /* rate of the universal joint's first axis (12) [rad/s] */
+    const double rate45 = n1_x*x73 + n1_y*x74 + n1_z*x75;
+    /* rate of the universal joint's second axis, of norm √3/2 (12) [rad/s] */
+    const double rate46 = 1.3333333333333333*SQRT3_2*(m1_x*x73 + m1_y*x74 + m1_z*x75);
+    out_rates[0] = rate11;
+    out_rates[stride] = dq1;
+    out_rates[2 * stride] = rate13;
+    out_rates[3 * stride] = rate14;
+    out_rates[4 * stride] = rate15;
+    out_rates[5 * stride] = rate16;
+    out_rates[6 * stride] = rate21;
+    out_rates[7 * stride] = dq2;
+    out_rates[8 * stride] = rate23;
+    out_rates[9 * stride] = rate24;
+    out_rates[10 * stride] = rate25;
+    out_rates[11 * stride] = rate26;
+    out_rates[12 * stride] = rate31;
+    out_rates[13 * stride] = dq3;
+    out_rates[14 * stride] = rate33;
+    out_rates[15 * stride] = rate34;
+    out_rates[16 * stride] = rate35;
+    out_rates[17 * stride] = rate36;
+    out_rates[18 * stride] = dq4;
+    out_rates[19 * stride] = dq5;
+    out_rates[20 * stride] = dq6;
+    out_rates[21 * stride] = rate44;
+    out_rates[22 * stride] = rate45;
+    out_rates[23 * stride] = rate46;
+    out_wrist[0] = wrist;
+    out_wrist_scale[0] = SQRT3_2;
+    out_incidence[0] = n1_x;
+    out_incidence[stride] = p2;
+    out_incidence[2 * stride] = p3;
+    out_scaled_legs[0] = l1;
+    out_scaled_legs[stride] = l2;
+    out_scaled_legs[2 * stride] = l3;
+    out_radial[0] = r;
+    out_central_length[0] = q6;
+    out_reach[0] = reach;
+}
+
+KLEINFORM_API void kleinform_joint_rates(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double heading[2],
+    const double twist[6],
+    double rates[24],
+    double *wrist,
+    double *wrist_scale,
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach)
+{
+    joint_rates_body(1, &a, c, R, heading, twist, rates, wrist, wrist_scale, incidence, scaled_legs, radial, central_length, reach);
+}
+
+KLEINFORM_BODY void platform_wrench_body(
+    size_t stride,
+    const double *RESTRICT in_a,
+    const double *RESTRICT in_c,
+    const double *RESTRICT in_R,
+    const double *RESTRICT in_forces,
+    double *RESTRICT out_wrench,
+    double *RESTRICT out_incidence,
+    double *RESTRICT out_scaled_legs,
+    double *RESTRICT out_radial,
+    double *RESTRICT out_central_length,
+    double *RESTRICT out_reach)
+{
+    const double a = in_a[0];
+    const double c_x = in_c[0];
+    const double c_y = in_c[stride];
+    const double c_z = in_c[2 * stride];
+    const double n1_x = in_R[0];
+    const double m1_x = in_R[stride];
+    const double nu_x = in_R[2 * stride];
+    const double n1_y = in_R[3 * stride];
+    const double m1_y = in_R[4 * stride];
+    const double nu_y = in_R[5 * stride];
+    const double n1_z = in_R[6 * stride];
+    const double m1_z = in_R[7 * stride];
+    const double nu_z = in_R[8 * stride];
+    const double force1 = in_forces[0];
+    const double force2 = in_forces[stride];
+    const double force3 = in_forces[2 * stride];
+    const double force4 = in_forces[3 * stride];
+    const double force5 = in_forces[4 * stride];
+    const double force6 = in_forces[5 * stride];
+    const double x0 = 0.5*n1_x;
+    const double x1 = SQRT3_2*m1_x;
+    /* direction from C to B_2, n_1 turned by 120° about nu (5) [1] */
+    const double n2_x = -x0 + x1;
+    const double x2 = 0.5*n1_y;
+    const double x3 = SQRT3_2*m1_y;
+    const double n2_y = -x2 + x3;
+    const double x4 = 0.5*n1_z;
+    const double x5 = SQRT3_2*m1_z;
+    const double n2_z = -x4 + x5;
+    const double x6 = 0.5*m1_x;
+    const double x7 = SQRT3_2*n1_x;
+    /* platform direction normal to n_2 [1] */
+    const double m2_x = -x6 - x7;
+    const double x8 = 0.5*m1_y;
+    const double x9 = SQRT3_2*n1_y;
+    const double m2_y = -x8 - x9;
+    const double x10 = 0.5*m1_z;
+    const double x11 = SQRT3_2*n1_z;
+    const double m2_z = -x10 - x11;
+    /* direction from C to B_3, n_1 turned by 240° about nu (5) [1] */
+    const double n3_x = -x0 - x1;
+    const double n3_y = -x2 - x3;
+    const double n3_z = -x4 - x5;
+    /* platform direction normal to n_3 [1] */
+    const double m3_x = -x6 + x7;
+    const double m3_y = -x8 + x9;
+    const double m3_z = -x10 + x11;
+    const double x12 = (c_x*c_x) + (c_y*c_y);
+    /* length of the central limb (11) [m] */
+    const double q6 = sqrt((c_z*c_z) + x12);
+    /* distance of C from the Z axis (11) [m] */
+    const double r = sqrt(x12);
+    const double x13 = 1.0/q6;
+    /* unit vector along the central limb, from O to C (1) [1] */
+    const double lambda_x = c_x*x13;
+    const double lambda_y = c_y*x13;
+    const double lambda_z = c_z*x13;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h1 = a - c_x;
+    /* signed distance from C to B_i (4) [m] */
+    const double e1 = h1/n1_x;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt1 = c_y*n1_x + h1*n1_y;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz1 = c_z*n1_x + h1*n1_z;
+    /* p_i times the leg, its length [m] */
+    const double l1 = sqrt((gt1*gt1) + (gz1*gz1));
+    const double x14 = SQRT3_2*c_y;
+    const double x15 = a + 0.5*c_x;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h2 = -x14 + x15;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p2 = SQRT3_2*n2_y - 0.5*n2_x;
+    /* signed distance from C to B_i (4) [m] */
+    const double e2 = h2/p2;
+    const double x16 = 0.5*c_y;
+    const double x17 = SQRT3_2*c_x;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x16 - x17);
+    /* p_i times the vertical part of the leg [m] */
+    const double gz2 = c_z*p2 + h2*n2_z;
+    /* p_i times the leg, its length [m] */
+    const double l2 = sqrt((gt2*gt2) + (gz2*gz2));
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h3 = x14 + x15;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p3 = -SQRT3_2*n3_y - 0.5*n3_x;
+    /* signed distance from C to B_i (4) [m] */
+    const double e3 = h3/p3;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x16 + x17);
+    /* p_i times the vertical part of the leg [m] */
+    const double gz3 = c_z*p3 + h3*n3_z;
+    /* p_i times the leg, its length [m] */
+    const double l3 = sqrt((gt3*gt3) + (gz3*gz3));
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau1 = -gt1*nu_z + gz1*nu_y;
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma1 = gt1*m1_z - gz1*m1_y;
+    /* p_i² times the distance from B_i to D_i [m] */
+    const double rho1 = sqrt((sigma1*sigma1) + (tau1*tau1));
+    const double x18 = 1.0/rho1;
+    /* unit vector from B_i to D_i (14) [1] */
+    const double s1_x = x18*(m1_x*tau1 + nu_x*sigma1);
+    const double s1_y = x18*(m1_y*tau1 + nu_y*sigma1);
+    const double s1_z = x18*(m1_z*tau1 + nu_z*sigma1);
+    const double x19 = e1*x18;
+    /* moment of S_i about C (14) [m] */
+    const double so1_x = x19*(-m1_x*sigma1 + nu_x*tau1);
+    const double so1_y = x19*(-m1_y*sigma1 + nu_y*tau1);
+    const double so1_z = x19*(-m1_z*sigma1 + nu_z*tau1);
+    /* Klein form of S_i and the actuated screw (15), (23) [1] */
+    const double limb1 = -l1*x18*fabs(n1_x);
+    const double x20 = 0.5*nu_y;
+    const double x21 = SQRT3_2*nu_x;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau2 = -gt2*nu_z + gz2*(-x20 - x21);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y);
+    /* p_i² times the distance from B_i to D_i [m] */
+    const double rho2 = sqrt((sigma2*sigma2) + (tau2*tau2));
+    const double x22 = 1.0/rho2;
+    /* unit vector from B_i to D_i (14) [1] */
+    const double s2_x = x22*(m2_x*tau2 + nu_x*sigma2);
+    const double s2_y = x22*(m2_y*tau2 + nu_y*sigma2);
+    const double s2_z = x22*(m2_z*tau2 + nu_z*sigma2);
+    const double x23 = e2*x22;
+    /* moment of S_i about C (14) [m] */
+    const double so2_x = x23*(-m2_x*sigma2 + nu_x*tau2);
+    const double so2_y = x23*(-m2_y*sigma2 + nu_y*tau2);
+    const double so2_z = x23*(-m2_z*sigma2 + nu_z*tau2);
+    /* Klein form of S_i and the actuated screw (15), (23) [1] */
+    const double limb2 = -l2*x22*fabs(p2);
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau3 = -gt3*nu_z + gz3*(-x20 + x21);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y);
+    /* p_i² times the distance from B_i to D_i [m] */
+    const double rho3 = sqrt((sigma3*sigma3) + (tau3*tau3));
+    const double x24 = 1.0/rho3;
+    /* unit vector from B_i to D_i (14) [1] */
+    const double s3_x = x24*(m3_x*tau3 + nu_x*sigma3);
+    const double s3_y = x24*(m3_y*tau3 + nu_y*sigma3);
+    const double s3_z = x24*(m3_z*tau3 + nu_z*sigma3);
+    const double x25 = e3*x24;
+    /* moment of S_i about C (14) [m] */
+    const double so3_x = x25*(-m3_x*sigma3 + nu_x*tau3);
+    const double so3_y = x25*(-m3_y*sigma3 + nu_y*tau3);
+    const double so3_z = x25*(-m3_z*sigma3 + nu_z*tau3);
+    /* Klein form of S_i and the actuated screw (15), (23) [1] */
+    const double limb3 = -l3*x24*fabs(p3);
+    /* largest length in a leg's equations [m] */
+    const double reach = a + 2.0*q6;
+    const double x26 = 1.0/((r*r));
+    /* force through C that a torque of 1 about the azimuth makes (16) [1/m] */
+    const double grad_q4_x = -c_y*x26;
+    const double grad_q4_y = c_x*x26;
+    const double x27 = 1.0/((q6*q6));
+    const double x28 = c_z*x27/r;
+    /* force through C that a torque of 1 about the elevation makes (16) [1/m] */
+    const double grad_q5_x = -c_x*x28;
+    const double grad_q5_y = -c_y*x28;
+    const double grad_q5_z = r*x27;
+    const double x29 = force1/limb1;
+    const double x30 = force2/limb2;
+    const double x31 = force3/limb3;
+    /* force that the platform exerts (15), (16) [N] */
+    const double force_x = force4*grad_q4_x + force5*grad_q5_x + force6*lambda_x + s1_x*x29 + s2_x*x30 + s3_x*x31;
+    const double force_y = force4*grad_q4_y + force5*grad_q5_y + force6*lambda_y + s1_y*x29 + s2_y*x30 + s3_y*x31;
+    const double force_z = force5*grad_q5_z + force6*lambda_z + s1_z*x29 + s2_z*x30 + s3_z*x31;
+    /* moment at C that the platform exerts (15) [N m] */
+    const double moment_x = so1_x*x29 + so2_x*x30 + so3_x*x31;
+    const double moment_y = so1_y*x29 + so2_y*x30 + so3_y*x31;
+    const double moment_z = so1_z*x29 + so2_z*x30 + so3_z*x31;
+    out_wrench[0] = force_x;
+    out_wrench[stride] = force_y;
+    out_wrench[2 * stride] = force_z;
+    out_wrench[3 * stride] = moment_x;
+    out_wrench[4 * stride] = moment_y;
+    out_wrench[5 * stride] = moment_z;
+    out_incidence[0] = n1_x;
+    out_incidence[stride] = p2;
+    out_incidence[2 * stride] = p3;
+    out_scaled_legs[0] = l1;
+    out_scaled_legs[stride] = l2;
+    out_scaled_legs[2 * stride] = l3;
+    out_radial[0] = r;
+    out_central_length[0] = q6;
+    out_reach[0] = reach;
+}
+
+KLEINFORM_API void kleinform_platform_wrench(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double forces[6],
+    double wrench[6],
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach)
+{
+    platform_wrench_body(1, &a, c, R, forces, wrench, incidence, scaled_legs, radial, central_length, reach);
+}
+
+KLEINFORM_BODY void actuator_forces_body(
+    size_t stride,
+    const double *RESTRICT in_a,
+    const double *RESTRICT in_c,
+    const double *RESTRICT in_R,
+    const double *RESTRICT in_heading,
+    const double *RESTRICT in_wrench,
+    double *RESTRICT out_forces,
+    double *RESTRICT out_extension,
+    double *RESTRICT out_extension_scale,
+    double *RESTRICT out_orientation,
+    double *RESTRICT out_orientation_scale,
+    double *RESTRICT out_incidence,
+    double *RESTRICT out_scaled_legs,
+    double *RESTRICT out_radial,
+    double *RESTRICT out_central_length,
+    double *RESTRICT out_reach)
+{
+    const double a = in_a[0];
+    const double c_x = in_c[0];
+    const double c_y = in_c[stride];
+    const double c_z = in_c[2 * stride];
+    const double n1_x = in_R[0];
+    const double m1_x = in_R[stride];
+    const double nu_x = in_R[2 * stride];
+    const double n1_y = in_R[3 * stride];
+    const double m1_y = in_R[4 * stride];
+    const double nu_y = in_R[5 * stride];
+    const double n1_z = in_R[6 * stride];
+    const double m1_z = in_R[7 * stride];
+    const double nu_z = in_R[8 * stride];
+    const double heading_1 = in_heading[0];
+    const double heading_2 = in_heading[stride];
+    const double force_x = in_wrench[0];
+    const double force_y = in_wrench[stride];
+    const double force_z = in_wrench[2 * stride];
+    const double moment_x = in_wrench[3 * stride];
+    const double moment_y = in_wrench[4 * stride];
+    const double moment_z = in_wrench[5 * stride];
+    const double x0 = 0.5*n1_x;
+    const double x1 = SQRT3_2*m1_x;
+    /* direction from C to B_2, n_1 turned by 120° about nu (5) [1] */
+    const double n2_x = -x0 + x1;
+    const double x2 = 0.5*n1_y;
+    const double x3 = SQRT3_2*m1_y;
+    const double n2_y = -x2 + x3;
+    const double x4 = 0.5*n1_z;
+    const double x5 = SQRT3_2*m1_z;
+    const double n2_z = -x4 + x5;
+    const double x6 = 0.5*m1_x;
+    const double x7 = SQRT3_2*n1_x;
+    /* platform direction normal to n_2 [1] */
+    const double m2_x = -x6 - x7;
+    const double x8 = 0.5*m1_y;
+    const double x9 = SQRT3_2*n1_y;
+    const double m2_y = -x8 - x9;
+    const double x10 = 0.5*m1_z;
+    const double x11 = SQRT3_2*n1_z;
+    const double m2_z = -x10 - x11;
+    /* direction from C to B_3, n_1 turned by 240° about nu (5) [1] */
+    const double n3_x = -x0 - x1;
+    const double n3_y = -x2 - x3;
+    const double n3_z = -x4 - x5;
+    /* platform direction normal to n_3 [1] */
+    const double m3_x = -x6 + x7;
+    const double m3_y = -x8 + x9;
+    const double m3_z = -x10 + x11;
+    const double x12 = (c_x*c_x) + (c_y*c_y);
+    /* length of the central limb (11) [m] */
+    const double q6 = sqrt((c_z*c_z) + x12);
+    /* distance of C from the Z axis (11) [m] */
+    const double r = sqrt(x12);
+    const double x13 = 1.0/q6;
+    /* unit vector along the central limb, from O to C (1) [1] */
+    const double lambda_x = c_x*x13;
+    const double lambda_y = c_y*x13;
+    const double lambda_z = c_z*x13;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h1 = a - c_x;
+    /* signed distance from C to B_i (4) [m] */
+    const double e1 = h1/n1_x;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt1 = c_y*n1_x + h1*n1_y;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz1 = c_z*n1_x + h1*n1_z;
+    /* p_i times the leg, its length [m] */
+    const double l1 = sqrt((gt1*gt1) + (gz1*gz1));
+    const double x14 = SQRT3_2*c_y;
+    const double x15 = a + 0.5*c_x;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h2 = -x14 + x15;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p2 = SQRT3_2*n2_y - 0.5*n2_x;
+    /* signed distance from C to B_i (4) [m] */
+    const double e2 = h2/p2;
+    const double x16 = 0.5*c_y;
+    const double x17 = SQRT3_2*c_x;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x16 - x17);
+    /* p_i times the vertical part of the leg [m] */
+    const double gz2 = c_z*p2 + h2*n2_z;
+    /* p_i times the leg, its length [m] */
+    const double l2 = sqrt((gt2*gt2) + (gz2*gz2));
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h3 = x14 + x15;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p3 = -SQRT3_2*n3_y - 0.5*n3_x;
+    /* signed distance from C to B_i (4) [m] */
+    const double e3 = h3/p3;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x16 + x17);
+    /* p_i times the vertical part of the leg [m] */
+    const double gz3 = c_z*p3 + h3*n3_z;
+    /* p_i times the leg, its length [m] */
+    const double l3 = sqrt((gt3*gt3) + (gz3*gz3));
+    const double x18 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)));
+    /* axis of the second revolute of the central limb Section IV [1] */
+    const double axis_x = heading_2*x18;
+    const double axis_y = -heading_1*x18;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau1 = -gt1*nu_z + gz1*nu_y;
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma1 = gt1*m1_z - gz1*m1_y;
+    /* p_i² times the distance from B_i to D_i [m] */
+    const double rho1 = sqrt((sigma1*sigma1) + (tau1*tau1));
+    const double x19 = 1.0/rho1;
+    const double x20 = nu_x*sigma1;
+    /* unit vector from B_i to D_i (14) [1] */
+    const double s1_x = x19*(m1_x*tau1 + x20);
+    const double x21 = nu_y*sigma1;
+    const double s1_y = x19*(m1_y*tau1 + x21);
+    const double x22 = nu_z*sigma1;
+    const double s1_z = x19*(m1_z*tau1 + x22);
+    const double x23 = fabs(n1_x);
+    /* Klein form of S_i and the actuated screw (15), (23) [1] */
+    const double limb1 = -l1*x19*x23;
+    const double x24 = 0.5*nu_y;
+    const double x25 = SQRT3_2*nu_x;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau2 = -gt2*nu_z + gz2*(-x24 - x25);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y);
+    /* p_i² times the distance from B_i to D_i [m] */
+    const double rho2 = sqrt((sigma2*sigma2) + (tau2*tau2));
+    const double x26 = 1.0/rho2;
+    /* unit vector from B_i to D_i (14) [1] */
+    const double s2_x = x26*(m2_x*tau2 + nu_x*sigma2);
+    const double x27 = nu_y*sigma2;
+    const double s2_y = x26*(m2_y*tau2 + x27);
+    const double x28 = nu_z*sigma2;
+    const double s2_z = x26*(m2_z*tau2 + x28);
+    const double x29 = fabs(p2);
+    /* Klein form of S_i and the actuated screw (15), (23) [1] */
+    const double limb2 = -l2*x26*x29;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau3 = -gt3*nu_z + gz3*(-x24 + x25);
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y);
+    /* p_i² times the distance from B_i to D_i [m] */
+    const double rho3 = sqrt((sigma3*sigma3) + (tau3*tau3));
+    const double x30 = 1.0/rho3;
+    /* unit vector from B_i to D_i (14) [1] */
+    const double s3_x = x30*(m3_x*tau3 + nu_x*sigma3);
+    const double s3_y = x30*(m3_y*tau3 + nu_y*sigma3);
+    const double s3_z = x30*(m3_z*tau3 + nu_z*sigma3);
+    const double x31 = fabs(p3);
+    /* Klein form of S_i and the actuated screw (15), (23) [1] */
+    const double limb3 = -l3*x30*x31;
+    const double x32 = sigma2*tau3;
+    const double x33 = sigma3*tau2;
+    const double x34 = sigma3*tau1;
+    /* the three lines S_i in the platform frame (27) [m³] */
+    const double tilt = sigma1*x32 + sigma1*x33 + sigma2*x34;
+    const double x35 = SQRT3_2/(((n1_x*n1_x))*((p2*p2))*((p3*p3)));
+    /* orientation: the moments of B_iD_i about C are coplanar (27) [m³] */
+    const double orientation = tilt*x35;
+    /* largest length in a leg's equations [m] */
+    const double reach = a + 2.0*q6;
+    const double x36 = a + q6;
+    /* scale of e1 [m] */
+    const double e_scale1 = x36/x23;
+    /* scale of e2 [m] */
+    const double e_scale2 = x36/x29;
+    /* scale of e3 [m] */
+    const double e_scale3 = x36/x31;
+    const double x37 = fabs(sigma1);
+    const double x38 = fabs(sigma2);
+    const double x39 = fabs(sigma3);
+    const double x40 = fabs(tau2);
+    const double x41 = fabs(tau3);
+    const double x42 = fabs(tau1);
+    /* scale of the orientation factor [m³] */
+    const double orientation_scale = reach*x35*(x37*x38 + x37*x39 + x37*x40 + x37*x41 + x38*x39 + x38*x41 + x38*x42 + x39*x40 + x39*x42);
+    const double x43 = SQRT3_2*sigma3;
+    const double x44 = 1.3333333333333333*SQRT3_2/tilt;
+    /* power of the moment at the omega that a drive of 1 of limb 1 alone makes (17) [N] */
+    const double share1 = x44*(moment_x*(-n2_x*x32 + n3_x*x33 + sigma2*sigma3*x25) + moment_y*(-n2_y*x32 + n3_y*x33 + x27*x43) + moment_z*(-n2_z*x32 + n3_z*x33 + x28*x43));
+    /* force along S_1 (17) [N] */
+    const double load1 = rho1*share1/e1;
+    /* force of the actuator of limb 1 (15) [N] */
+    const double force1 = limb1*load1;
+    const double x45 = sigma1*tau3;
+    /* power of the moment at the omega that a drive of 1 of limb 2 alone makes (17) [N] */
+    const double share2 = x44*(moment_x*(n1_x*x45 - n3_x*x34 + x20*x43) + moment_y*(n1_y*x45 - n3_y*x34 + x21*x43) + moment_z*(n1_z*x45 - n3_z*x34 + x22*x43));
+    /* force along S_2 (17) [N] */
+    const double load2 = rho2*share2/e2;
+    /* force of the actuator of limb 2 (15) [N] */
+    const double force2 = limb2*load2;
+    const double x46 = sigma2*tau1;
+    const double x47 = sigma1*tau2;
+    const double x48 = SQRT3_2*sigma2;
+    /* power of the moment at the omega that a drive of 1 of limb 3 alone makes (17) [N] */
+    const double share3 = x44*(moment_x*(-n1_x*x47 + n2_x*x46 + x20*x48) + moment_y*(-n1_y*x47 + n2_y*x46 + x21*x48) + moment_z*(-n1_z*x47 + n2_z*x46 + x22*x48));
+    /* force along S_3 (17) [N] */
+    const double load3 = rho3*share3/e3;
+    /* force of the actuator of limb 3 (15) [N] */
+    const double force3 = limb3*load3;
+    /* force through C that the central limb carries (16) [N] */
+    const double central_force_x = force_x - load1*s1_x - load2*s2_x - load3*s3_x;
+    const double central_force_y = force_y - load1*s1_y - load2*s2_y - load3*s3_y;
+    const double central_force_z = force_z - load1*s1_z - load2*s2_z - load3*s3_z;
+    /* torque of the actuator of the azimuth (16) [N m] */
+    const double force4 = c_x*central_force_y - c_y*central_force_x;
+    /* torque of the actuator of the elevation (16) [N m] */
+    const double force5 = -axis_x*c_z*central_force_y + axis_y*c_z*central_force_x + central_force_z*(axis_x*c_y - axis_y*c_x);
+    /* force of the actuator of the central limb's length (16) [N] */
+    const double force6 = central_force_x*lambda_x + central_force_y*lambda_y + central_force_z*lambda_z;
+    out_forces[0] = force1;
+    out_forces[stride] = force2;
+    out_forces[2 * stride] = force3;
+    out_forces[3 * stride] = force4;
+    out_forces[4 * stride] = force5;
+    out_forces[5 * stride] = force6;
+    out_extension[0] = e1;
+    out_extension[stride] = e2;
+    out_extension[2 * stride] = e3;
+    out_extension_scale[0] = e_scale1;
+    out_extension_scale[stride] = e_scale2;
+    out_extension_scale[2 * stride] = e_scale3;
+    out_orientation[0] = orientation;
+    out_orientation_scale[0] = orientation_scale;
+    out_incidence[0] = n1_x;
+    out_incidence[stride] = p2;
+    out_incidence[2 * stride] = p3;
+    out_scaled_legs[0] = l1;
+    out_scaled_legs[stride] = l2;
+    out_scaled_legs[2 * stride] = l3;
+    out_radial[0] = r;
+    out_central_length[0] = q6;
+    out_reach[0] = reach;
+}
+
+KLEINFORM_API void kleinform_actuator_forces(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double heading[2],
+    const double wrench[6],
+    double forces[6],
+    double extension[3],
+    double extension_scale[3],
+    double *orientation,
+    double *orientation_scale,
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach)
+{
+    actuator_forces_body(1, &a, c, R, heading, wrench, forces, extension, extension_scale, orientation, orientation_scale, incidence, scaled_legs, radial, central_length, reach);
+}
+
 KLEINFORM_BODY void inverse_acceleration_body(
     size_t stride,
     const double *RESTRICT in_a,

@@ -429,6 +429,94 @@ KLEINFORM_API void kleinform_forward_velocity(
     double *central_length,
     double *reach);
 
+/* The rates of all joints of the four limbs from the twist.
+   Equations (12) of the paper; base frame.
+   in  a: radius of the circle through A_1, A_2, A_3 [m]
+   in  c[3]: position of the platform's centre C [m]
+   in  R[3][3]: rotation of the platform [1]
+   in  heading[2]: horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+   in  twist[2][3]: [omega, v_C] [rad/s, m/s]
+   out rates[4][6]: a row a limb [rad/s, m/s]
+   out wrist: (n_1 × n_2)·lambda [1]
+   out wrist_scale: scale of wrist [1]
+   out incidence[3]: n_i·u_i [1]
+   out scaled_legs[3]: |n_i·u_i| q_i [m]
+   out radial: distance of C from the Z axis [m]
+   out central_length: distance from O to C [m]
+   out reach: a + 2 |c|, against which the legs' rounding is judged [m] */
+KLEINFORM_API void kleinform_joint_rates(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double heading[2],
+    const double twist[6],
+    double rates[24],
+    double *wrist,
+    double *wrist_scale,
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach);
+
+/* Wrench that the platform exerts from the forces of the actuators.
+   Equations (15), (16), by duality of the paper; base frame.
+   in  a: radius of the circle through A_1, A_2, A_3 [m]
+   in  c[3]: position of the platform's centre C [m]
+   in  R[3][3]: rotation of the platform [1]
+   in  forces[6]: f1 ... f6 [N, N m]
+   out wrench[6]: [force, moment at C] [N, N m]
+   out incidence[3]: n_i·u_i [1]
+   out scaled_legs[3]: |n_i·u_i| q_i [m]
+   out radial: distance of C from the Z axis [m]
+   out central_length: distance from O to C [m]
+   out reach: a + 2 |c|, against which the legs' rounding is judged [m] */
+KLEINFORM_API void kleinform_platform_wrench(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double forces[6],
+    double wrench[6],
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach);
+
+/* Forces of the actuators from the wrench that the platform exerts.
+   Equations (16), (17), by duality of the paper; base frame.
+   in  a: radius of the circle through A_1, A_2, A_3 [m]
+   in  c[3]: position of the platform's centre C [m]
+   in  R[3][3]: rotation of the platform [1]
+   in  heading[2]: horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+   in  wrench[2][3]: [force, moment at C] [N, N m]
+   out forces[6]: f1 ... f6 [N, N m]
+   out extension[3]: signed distances e_i from C to B_i [m]
+   out extension_scale[3]: scales of the e_i [m]
+   out orientation: det[n_i × (d_i − c)] [m³]
+   out orientation_scale: scale of orientation [m³]
+   out incidence[3]: n_i·u_i [1]
+   out scaled_legs[3]: |n_i·u_i| q_i [m]
+   out radial: distance of C from the Z axis [m]
+   out central_length: distance from O to C [m]
+   out reach: a + 2 |c|, against which the legs' rounding is judged [m] */
+KLEINFORM_API void kleinform_actuator_forces(
+    double a,
+    const double c[3],
+    const double R[9],
+    const double heading[2],
+    const double wrench[6],
+    double forces[6],
+    double extension[3],
+    double extension_scale[3],
+    double *orientation,
+    double *orientation_scale,
+    double incidence[3],
+    double scaled_legs[3],
+    double *radial,
+    double *central_length,
+    double *reach);
+
 /* Joint rates and accelerations from the twist and its derivative.
    Equations (15), (16), differentiated of the paper; base frame.
    in  a: radius of the circle through A_1, A_2, A_3 [m]

@@ -285,6 +285,42 @@ static void forward_velocity_lanes(const double *RESTRICT in, double *RESTRICT o
         forward_velocity_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, in + 4 * LANES + lane, in + 13 * LANES + lane, in + 15 * LANES + lane, out + 0 * LANES + lane, out + 6 * LANES + lane, out + 7 * LANES + lane, out + 10 * LANES + lane, out + 13 * LANES + lane, out + 14 * LANES + lane, out + 15 * LANES + lane, out + 18 * LANES + lane, out + 21 * LANES + lane, out + 22 * LANES + lane, out + 23 * LANES + lane);
 }
 
+static void joint_rates_one(const double *RESTRICT in, double *RESTRICT out)
+{
+    joint_rates_body(1, in + 0, in + 1, in + 4, in + 13, in + 15, out + 0, out + 24, out + 25, out + 26, out + 29, out + 32, out + 33, out + 34);
+}
+
+static void joint_rates_lanes(const double *RESTRICT in, double *RESTRICT out)
+{
+    SIMD
+    for (size_t lane = 0; lane < LANES; ++lane)
+        joint_rates_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, in + 4 * LANES + lane, in + 13 * LANES + lane, in + 15 * LANES + lane, out + 0 * LANES + lane, out + 24 * LANES + lane, out + 25 * LANES + lane, out + 26 * LANES + lane, out + 29 * LANES + lane, out + 32 * LANES + lane, out + 33 * LANES + lane, out + 34 * LANES + lane);
+}
+
+static void platform_wrench_one(const double *RESTRICT in, double *RESTRICT out)
+{
+    platform_wrench_body(1, in + 0, in + 1, in + 4, in + 13, out + 0, out + 6, out + 9, out + 12, out + 13, out + 14);
+}
+
+static void platform_wrench_lanes(const double *RESTRICT in, double *RESTRICT out)
+{
+    SIMD
+    for (size_t lane = 0; lane < LANES; ++lane)
+        platform_wrench_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, in + 4 * LANES + lane, in + 13 * LANES + lane, out + 0 * LANES + lane, out + 6 * LANES + lane, out + 9 * LANES + lane, out + 12 * LANES + lane, out + 13 * LANES + lane, out + 14 * LANES + lane);
+}
+
+static void actuator_forces_one(const double *RESTRICT in, double *RESTRICT out)
+{
+    actuator_forces_body(1, in + 0, in + 1, in + 4, in + 13, in + 15, out + 0, out + 6, out + 9, out + 12, out + 13, out + 14, out + 17, out + 20, out + 21, out + 22);
+}
+
+static void actuator_forces_lanes(const double *RESTRICT in, double *RESTRICT out)
+{
+    SIMD
+    for (size_t lane = 0; lane < LANES; ++lane)
+        actuator_forces_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, in + 4 * LANES + lane, in + 13 * LANES + lane, in + 15 * LANES + lane, out + 0 * LANES + lane, out + 6 * LANES + lane, out + 9 * LANES + lane, out + 12 * LANES + lane, out + 13 * LANES + lane, out + 14 * LANES + lane, out + 17 * LANES + lane, out + 20 * LANES + lane, out + 21 * LANES + lane, out + 22 * LANES + lane);
+}
+
 static void inverse_acceleration_one(const double *RESTRICT in, double *RESTRICT out)
 {
     inverse_acceleration_body(1, in + 0, in + 1, in + 4, in + 13, in + 19, out + 0, out + 6, out + 12, out + 15, out + 18, out + 19, out + 20);
@@ -461,6 +497,21 @@ static const struct kernel kernels[] = {
      5, 11, 21, 24,
      {{0, 0}, {3, 0}, {3, 3}, {2, 0}, {6, 0}, {6, 0}, {0, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {0, 0}},
      forward_velocity_one, forward_velocity_lanes},
+    {"joint_rates", "(),(3),(3,3),(2),(2,3)->(4,6),(),(),(3),(3),(),(),()",
+     "The rates of all joints of the four limbs from the twist.",
+     5, 8, 21, 35,
+     {{0, 0}, {3, 0}, {3, 3}, {2, 0}, {2, 3}, {4, 6}, {0, 0}, {0, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {0, 0}},
+     joint_rates_one, joint_rates_lanes},
+    {"platform_wrench", "(),(3),(3,3),(6)->(6),(3),(3),(),(),()",
+     "Wrench that the platform exerts from the forces of the actuators.",
+     4, 6, 19, 15,
+     {{0, 0}, {3, 0}, {3, 3}, {6, 0}, {6, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {0, 0}},
+     platform_wrench_one, platform_wrench_lanes},
+    {"actuator_forces", "(),(3),(3,3),(2),(2,3)->(6),(3),(3),(),(),(3),(3),(),(),()",
+     "Forces of the actuators from the wrench that the platform exerts.",
+     5, 10, 21, 23,
+     {{0, 0}, {3, 0}, {3, 3}, {2, 0}, {2, 3}, {6, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {3, 0}, {3, 0}, {0, 0}, {0, 0}, {0, 0}},
+     actuator_forces_one, actuator_forces_lanes},
     {"inverse_acceleration", "(),(3),(3,3),(2,3),(2,3)->(6),(6),(3),(3),(),(),()",
      "Joint rates and accelerations from the twist and its derivative.",
      5, 7, 25, 21,
@@ -489,5 +540,5 @@ static const struct kernel kernels[] = {
 };
 
 const struct table VARIANT_OF(kleinform_table) = {
-    28, 4257696193UL, kernels,
+    31, 1615187245UL, kernels,
 };

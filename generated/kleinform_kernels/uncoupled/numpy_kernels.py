@@ -4380,6 +4380,945 @@ def _forward_velocity(
     out_reach[...] = reach
 
 
+class JointRates(NamedTuple):
+    """What `joint_rates` returns."""
+
+    rates: Array
+    wrist: Array
+    wrist_scale: Array
+    incidence: Array
+    scaled_legs: Array
+    radial: Array
+    central_length: Array
+    reach: Array
+
+
+def joint_rates(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLike, twist: ArrayLike) -> JointRates:
+    """The rates of all joints of the four limbs from the twist.
+
+    Equations (12) of the paper; base frame.
+    628 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    heading : array (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+    twist : array (..., 2, 3)
+        [omega, v_C] [rad/s, m/s]
+
+    Returns
+    -------
+    rates : array (..., 4, 6)
+        a row a limb [rad/s, m/s]
+    wrist : array (...)
+        (n_1 × n_2)·lambda [1]
+    wrist_scale : array (...)
+        scale of wrist [1]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return JointRates(
+        *apply(
+            _joint_rates,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("heading", heading, (2,)),
+                ("twist", twist, (2, 3)),
+            ),
+            (
+                (4, 6),
+                (),
+                (),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _joint_rates(
+    out_rates: Array,
+    out_wrist: Array,
+    out_wrist_scale: Array,
+    out_incidence: Array,
+    out_scaled_legs: Array,
+    out_radial: Array,
+    out_central_length: Array,
+    out_reach: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+    heading: Array,
+    twist: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    (omega_x, omega_y, omega_z), (v_x, v_y, v_z) = twist
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    x14 = -c_x
+    x15 = a + x14
+    # distance of C from the plane of the limb (4) [m]
+    h1 = x15
+    x16 = 1.0/n1_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1*x16
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x17 = 1.0/absolute(n1_x)
+    # length of the outer limb (10) [m]
+    q1 = l1*x17
+    x18 = 1.0/q1
+    x19 = gt1*x18
+    # unit vector along the outer limb Section IV [1]
+    w1_y = x16*x19
+    x20 = gz1*x18
+    w1_z = x16*x20
+    x21 = -0.5*a
+    # position of A_2 Section II [m]
+    a2_x = x21
+    x22 = SQRT3_2*a
+    a2_y = x22
+    x23 = SQRT3_2*c_y
+    x24 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x23 + x24
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    x25 = 1.0/p2
+    # signed distance from C to B_i (4) [m]
+    e2 = h2*x25
+    x26 = 0.5*n2_y
+    x27 = -SQRT3_2*n2_x - x26
+    x28 = 0.5*c_y
+    x29 = SQRT3_2*c_x
+    x30 = -x28 - x29
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*x27 + p2*x30
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    x31 = 1.0/absolute(p2)
+    # length of the outer limb (10) [m]
+    q2 = l2*x31
+    x32 = 1.0/q2
+    x33 = gt2*x32
+    x34 = x25*x33
+    # unit vector along the outer limb Section IV [1]
+    w2_x = -SQRT3_2*x34
+    w2_y = -0.5*x34
+    x35 = x25*x32
+    w2_z = gz2*x35
+    # position of A_3 Section II [m]
+    a3_x = x21
+    a3_y = -x22
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x23 + x24
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    x36 = 1.0/p3
+    # signed distance from C to B_i (4) [m]
+    e3 = h3*x36
+    x37 = SQRT3_2*n3_x - 0.5*n3_y
+    x38 = -x28 + x29
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*x37 + p3*x38
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x39 = 1.0/absolute(p3)
+    # length of the outer limb (10) [m]
+    q3 = l3*x39
+    x40 = 1.0/q3
+    x41 = gt3*x40
+    x42 = x36*x41
+    # unit vector along the outer limb Section IV [1]
+    w3_x = SQRT3_2*x42
+    w3_y = -0.5*x42
+    x43 = x36*x40
+    w3_z = gz3*x43
+    x44 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x44
+    axis_y = -heading_1*x44
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw1_x = x18*(-c_y*n1_z + c_z*n1_y)
+    nw1_y = -x20
+    nw1_z = x19
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    x45 = c_z*x27
+    x46 = n2_z*x30
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw2_x = x32*(SQRT3_2*gz2 - 0.5*x45 + 0.5*x46)
+    nw2_y = x32*(SQRT3_2*(x45 - x46) + 0.5*gz2)
+    nw2_z = x33
+    x47 = 0.5*nu_y
+    x48 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x47 - x48)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    x49 = c_z*x37
+    # axis of the upper revolute, not a unit vector Section IV [1]
+    nw3_x = x40*(-SQRT3_2*gz3 + 0.5*n3_z*x38 - 0.5*x49)
+    nw3_y = x40*(-SQRT3_2*(-n3_z*x38 + x49) + 0.5*gz3)
+    nw3_z = x41
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x47 + x48)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # wrist: the central limb in the platform's plane (26), (27) [1]
+    wrist = SQRT3_2*x13*(c_x*nu_x + c_y*nu_y + c_z*nu_z)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    # rate of the outer limb 1 (15) [m/s]
+    dq1 = x16*x17*(-h1*(omega_x*(-m1_x*sigma1 + nu_x*tau1) + omega_y*(-m1_y*sigma1 + nu_y*tau1) + omega_z*(-m1_z*sigma1 + nu_z*tau1)) - n1_x*(v_x*(m1_x*tau1 + nu_x*sigma1) + v_y*(m1_y*tau1 + nu_y*sigma1) + v_z*(m1_z*tau1 + nu_z*sigma1)))/l1
+    # rate of the outer limb 2 (15) [m/s]
+    dq2 = x25*x31*(-h2*(omega_x*(-m2_x*sigma2 + nu_x*tau2) + omega_y*(-m2_y*sigma2 + nu_y*tau2) + omega_z*(-m2_z*sigma2 + nu_z*tau2)) - p2*(v_x*(m2_x*tau2 + nu_x*sigma2) + v_y*(m2_y*tau2 + nu_y*sigma2) + v_z*(m2_z*tau2 + nu_z*sigma2)))/l2
+    # rate of the outer limb 3 (15) [m/s]
+    dq3 = x36*x39*(-h3*(omega_x*(-m3_x*sigma3 + nu_x*tau3) + omega_y*(-m3_y*sigma3 + nu_y*tau3) + omega_z*(-m3_z*sigma3 + nu_z*tau3)) - p3*(v_x*(m3_x*tau3 + nu_x*sigma3) + v_y*(m3_y*tau3 + nu_y*sigma3) + v_z*(m3_z*tau3 + nu_z*sigma3)))/l3
+    # rate of the azimuth (16) [rad/s]
+    dq4 = (c_x*v_y - c_y*v_x)/((r*r))
+    # rate of the elevation (16) [rad/s]
+    dq5 = (-c_z*(c_x*v_x + c_y*v_y)/r + r*v_z)/((q6*q6))
+    # rate of the central limb's length (16) [m/s]
+    dq6 = lambda_x*v_x + lambda_y*v_y + lambda_z*v_z
+    x50 = nw1_x*v_x + nw1_y*v_y + nw1_z*v_z
+    # rate of the base revolute (12) [rad/s]
+    rate11 = x16*x18*(e1*(omega_x*(n1_y*nw1_z - n1_z*nw1_y) + omega_y*(-n1_x*nw1_z + n1_z*nw1_x) + omega_z*(n1_x*nw1_y - n1_y*nw1_x)) + x50)
+    x51 = -x15
+    # rate of the cylindrical joint's rotation (12) [rad/s]
+    rate15 = x18*(-omega_x*(-c_y*nw1_z + c_z*nw1_y) - omega_y*(-c_z*nw1_x + nw1_z*x51) - omega_z*(c_y*nw1_x - nw1_y*x51) - x50)/((nw1_x*nw1_x) + (nw1_y*nw1_y) + (nw1_z*nw1_z))
+    # rate of the cylindrical joint's translation (12) [m/s]
+    rate16 = x16*(e1*(-n1_y*omega_z + n1_z*omega_y) + v_x)
+    x52 = -omega_y
+    x53 = -n1_y*rate15 - x52
+    x54 = -omega_z
+    x55 = -n1_z*rate15 - x54
+    # rate of the revolute along the leg (12) [rad/s]
+    rate13 = w1_y*x53 + w1_z*x55
+    # rate of the upper revolute, whose axis is no unit vector (12) [rad/s]
+    rate14 = x16*(w1_y*x55 - w1_z*x53)
+    x56 = nw2_x*v_x + nw2_y*v_y + nw2_z*v_z
+    # rate of the base revolute (12) [rad/s]
+    rate21 = x35*(e2*(omega_x*(n2_y*nw2_z - n2_z*nw2_y) + omega_y*(-n2_x*nw2_z + n2_z*nw2_x) + omega_z*(n2_x*nw2_y - n2_y*nw2_x)) + x56)
+    x57 = -c_y
+    x58 = -a2_y - x57
+    x59 = -a2_x - x14
+    # rate of the cylindrical joint's rotation (12) [rad/s]
+    rate25 = x32*(-omega_x*(c_z*nw2_y - nw2_z*x58) - omega_y*(-c_z*nw2_x + nw2_z*x59) - omega_z*(nw2_x*x58 - nw2_y*x59) - x56)/((nw2_x*nw2_x) + (nw2_y*nw2_y) + (nw2_z*nw2_z))
+    x60 = 0.5*v_x
+    x61 = SQRT3_2*v_y
+    x62 = 0.5*omega_y
+    # rate of the cylindrical joint's translation (12) [m/s]
+    rate26 = x25*(e2*(SQRT3_2*(n2_x*omega_z - n2_z*omega_x) - n2_z*x62 + omega_z*x26) - x60 + x61)
+    x63 = -omega_x
+    x64 = -n2_x*rate25 - x63
+    x65 = -n2_y*rate25 - x52
+    x66 = -n2_z*rate25 - x54
+    # rate of the revolute along the leg (12) [rad/s]
+    rate23 = w2_x*x64 + w2_y*x65 + w2_z*x66
+    # rate of the upper revolute, whose axis is no unit vector (12) [rad/s]
+    rate24 = x25*(SQRT3_2*w2_z*x64 + 0.5*w2_z*x65 + x66*(-SQRT3_2*w2_x - 0.5*w2_y))
+    x67 = nw3_x*v_x + nw3_y*v_y + nw3_z*v_z
+    # rate of the base revolute (12) [rad/s]
+    rate31 = x43*(e3*(omega_x*(n3_y*nw3_z - n3_z*nw3_y) + omega_y*(-n3_x*nw3_z + n3_z*nw3_x) + omega_z*(n3_x*nw3_y - n3_y*nw3_x)) + x67)
+    x68 = -a3_y - x57
+    x69 = -a3_x - x14
+    # rate of the cylindrical joint's rotation (12) [rad/s]
+    rate35 = x40*(-omega_x*(c_z*nw3_y - nw3_z*x68) - omega_y*(-c_z*nw3_x + nw3_z*x69) - omega_z*(nw3_x*x68 - nw3_y*x69) - x67)/((nw3_x*nw3_x) + (nw3_y*nw3_y) + (nw3_z*nw3_z))
+    # rate of the cylindrical joint's translation (12) [m/s]
+    rate36 = x36*(e3*(-SQRT3_2*(n3_x*omega_z - n3_z*omega_x) + 0.5*n3_y*omega_z - n3_z*x62) - x60 - x61)
+    x70 = -n3_x*rate35 - x63
+    x71 = -n3_y*rate35 - x52
+    x72 = -n3_z*rate35 - x54
+    # rate of the revolute along the leg (12) [rad/s]
+    rate33 = w3_x*x70 + w3_y*x71 + w3_z*x72
+    # rate of the upper revolute, whose axis is no unit vector (12) [rad/s]
+    rate34 = x36*(-SQRT3_2*w3_z*x70 + 0.5*w3_z*x71 + x72*(SQRT3_2*w3_x - 0.5*w3_y))
+    # angular velocity that the passive joints of the central limb make (12) [rad/s]
+    spin_x = -axis_x*dq5 - x63
+    spin_y = -axis_y*dq5 - x52
+    spin_z = -dq4 - x54
+    # rate of the revolute along the central limb (12) [rad/s]
+    rate44 = SQRT3_2*(nu_x*spin_x + nu_y*spin_y + nu_z*spin_z)/wrist
+    x73 = -lambda_x*rate44 + spin_x
+    x74 = -lambda_y*rate44 + spin_y
+    x75 = -lambda_z*rate44 + spin_z
+    # rate of the universal joint's first axis (12) [rad/s]
+    rate45 = n1_x*x73 + n1_y*x74 + n1_z*x75
+    # rate of the universal joint's second axis, of norm √3/2 (12) [rad/s]
+    rate46 = 1.3333333333333333*SQRT3_2*(m1_x*x73 + m1_y*x74 + m1_z*x75)
+    out_rates[0, 0] = rate11
+    out_rates[0, 1] = dq1
+    out_rates[0, 2] = rate13
+    out_rates[0, 3] = rate14
+    out_rates[0, 4] = rate15
+    out_rates[0, 5] = rate16
+    out_rates[1, 0] = rate21
+    out_rates[1, 1] = dq2
+    out_rates[1, 2] = rate23
+    out_rates[1, 3] = rate24
+    out_rates[1, 4] = rate25
+    out_rates[1, 5] = rate26
+    out_rates[2, 0] = rate31
+    out_rates[2, 1] = dq3
+    out_rates[2, 2] = rate33
+    out_rates[2, 3] = rate34
+    out_rates[2, 4] = rate35
+    out_rates[2, 5] = rate36
+    out_rates[3, 0] = dq4
+    out_rates[3, 1] = dq5
+    out_rates[3, 2] = dq6
+    out_rates[3, 3] = rate44
+    out_rates[3, 4] = rate45
+    out_rates[3, 5] = rate46
+    out_wrist[...] = wrist
+    out_wrist_scale[...] = SQRT3_2
+    out_incidence[0] = n1_x
+    out_incidence[1] = p2
+    out_incidence[2] = p3
+    out_scaled_legs[0] = l1
+    out_scaled_legs[1] = l2
+    out_scaled_legs[2] = l3
+    out_radial[...] = r
+    out_central_length[...] = q6
+    out_reach[...] = reach
+
+
+class PlatformWrench(NamedTuple):
+    """What `platform_wrench` returns."""
+
+    wrench: Array
+    incidence: Array
+    scaled_legs: Array
+    radial: Array
+    central_length: Array
+    reach: Array
+
+
+def platform_wrench(a: ArrayLike, c: ArrayLike, R: ArrayLike, forces: ArrayLike) -> PlatformWrench:
+    """Wrench that the platform exerts from the forces of the actuators.
+
+    Equations (15), (16), by duality of the paper; base frame.
+    304 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    forces : array (..., 6)
+        f1 ... f6 [N, N m]
+
+    Returns
+    -------
+    wrench : array (..., 6)
+        [force, moment at C] [N, N m]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return PlatformWrench(
+        *apply(
+            _platform_wrench,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("forces", forces, (6,)),
+            ),
+            (
+                (6,),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _platform_wrench(
+    out_wrench: Array,
+    out_incidence: Array,
+    out_scaled_legs: Array,
+    out_radial: Array,
+    out_central_length: Array,
+    out_reach: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+    forces: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    force1, force2, force3, force4, force5, force6 = forces
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x16 = 0.5*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x18 = 1.0/rho1
+    # unit vector from B_i to D_i (14) [1]
+    s1_x = x18*(m1_x*tau1 + nu_x*sigma1)
+    s1_y = x18*(m1_y*tau1 + nu_y*sigma1)
+    s1_z = x18*(m1_z*tau1 + nu_z*sigma1)
+    x19 = e1*x18
+    # moment of S_i about C (14) [m]
+    so1_x = x19*(-m1_x*sigma1 + nu_x*tau1)
+    so1_y = x19*(-m1_y*sigma1 + nu_y*tau1)
+    so1_z = x19*(-m1_z*sigma1 + nu_z*tau1)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -l1*x18*absolute(n1_x)
+    x20 = 0.5*nu_y
+    x21 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x20 - x21)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x22 = 1.0/rho2
+    # unit vector from B_i to D_i (14) [1]
+    s2_x = x22*(m2_x*tau2 + nu_x*sigma2)
+    s2_y = x22*(m2_y*tau2 + nu_y*sigma2)
+    s2_z = x22*(m2_z*tau2 + nu_z*sigma2)
+    x23 = e2*x22
+    # moment of S_i about C (14) [m]
+    so2_x = x23*(-m2_x*sigma2 + nu_x*tau2)
+    so2_y = x23*(-m2_y*sigma2 + nu_y*tau2)
+    so2_z = x23*(-m2_z*sigma2 + nu_z*tau2)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -l2*x22*absolute(p2)
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x20 + x21)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x24 = 1.0/rho3
+    # unit vector from B_i to D_i (14) [1]
+    s3_x = x24*(m3_x*tau3 + nu_x*sigma3)
+    s3_y = x24*(m3_y*tau3 + nu_y*sigma3)
+    s3_z = x24*(m3_z*tau3 + nu_z*sigma3)
+    x25 = e3*x24
+    # moment of S_i about C (14) [m]
+    so3_x = x25*(-m3_x*sigma3 + nu_x*tau3)
+    so3_y = x25*(-m3_y*sigma3 + nu_y*tau3)
+    so3_z = x25*(-m3_z*sigma3 + nu_z*tau3)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -l3*x24*absolute(p3)
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x26 = 1.0/((r*r))
+    # force through C that a torque of 1 about the azimuth makes (16) [1/m]
+    grad_q4_x = -c_y*x26
+    grad_q4_y = c_x*x26
+    x27 = 1.0/((q6*q6))
+    x28 = c_z*x27/r
+    # force through C that a torque of 1 about the elevation makes (16) [1/m]
+    grad_q5_x = -c_x*x28
+    grad_q5_y = -c_y*x28
+    grad_q5_z = r*x27
+    x29 = force1/limb1
+    x30 = force2/limb2
+    x31 = force3/limb3
+    # force that the platform exerts (15), (16) [N]
+    force_x = force4*grad_q4_x + force5*grad_q5_x + force6*lambda_x + s1_x*x29 + s2_x*x30 + s3_x*x31
+    force_y = force4*grad_q4_y + force5*grad_q5_y + force6*lambda_y + s1_y*x29 + s2_y*x30 + s3_y*x31
+    force_z = force5*grad_q5_z + force6*lambda_z + s1_z*x29 + s2_z*x30 + s3_z*x31
+    # moment at C that the platform exerts (15) [N m]
+    moment_x = so1_x*x29 + so2_x*x30 + so3_x*x31
+    moment_y = so1_y*x29 + so2_y*x30 + so3_y*x31
+    moment_z = so1_z*x29 + so2_z*x30 + so3_z*x31
+    out_wrench[0] = force_x
+    out_wrench[1] = force_y
+    out_wrench[2] = force_z
+    out_wrench[3] = moment_x
+    out_wrench[4] = moment_y
+    out_wrench[5] = moment_z
+    out_incidence[0] = n1_x
+    out_incidence[1] = p2
+    out_incidence[2] = p3
+    out_scaled_legs[0] = l1
+    out_scaled_legs[1] = l2
+    out_scaled_legs[2] = l3
+    out_radial[...] = r
+    out_central_length[...] = q6
+    out_reach[...] = reach
+
+
+class ActuatorForces(NamedTuple):
+    """What `actuator_forces` returns."""
+
+    forces: Array
+    extension: Array
+    extension_scale: Array
+    orientation: Array
+    orientation_scale: Array
+    incidence: Array
+    scaled_legs: Array
+    radial: Array
+    central_length: Array
+    reach: Array
+
+
+def actuator_forces(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLike, wrench: ArrayLike) -> ActuatorForces:
+    """Forces of the actuators from the wrench that the platform exerts.
+
+    Equations (16), (17), by duality of the paper; base frame.
+    372 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+    heading : array (..., 2)
+        horizontal vector at azimuth q4: (c_x, c_y) off the Z axis [m]
+    wrench : array (..., 2, 3)
+        [force, moment at C] [N, N m]
+
+    Returns
+    -------
+    forces : array (..., 6)
+        f1 ... f6 [N, N m]
+    extension : array (..., 3)
+        signed distances e_i from C to B_i [m]
+    extension_scale : array (..., 3)
+        scales of the e_i [m]
+    orientation : array (...)
+        det[n_i × (d_i − c)] [m³]
+    orientation_scale : array (...)
+        scale of orientation [m³]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    scaled_legs : array (..., 3)
+        |n_i·u_i| q_i [m]
+    radial : array (...)
+        distance of C from the Z axis [m]
+    central_length : array (...)
+        distance from O to C [m]
+    reach : array (...)
+        a + 2 |c|, against which the legs' rounding is judged [m]
+    """
+    return ActuatorForces(
+        *apply(
+            _actuator_forces,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+                ("heading", heading, (2,)),
+                ("wrench", wrench, (2, 3)),
+            ),
+            (
+                (6,),
+                (3,),
+                (3,),
+                (),
+                (),
+                (3,),
+                (3,),
+                (),
+                (),
+                (),
+            ),
+        )
+    )
+
+
+def _actuator_forces(
+    out_forces: Array,
+    out_extension: Array,
+    out_extension_scale: Array,
+    out_orientation: Array,
+    out_orientation_scale: Array,
+    out_incidence: Array,
+    out_scaled_legs: Array,
+    out_radial: Array,
+    out_central_length: Array,
+    out_reach: Array,
+    a: Array,
+    c: Array,
+    R: Array,
+    heading: Array,
+    wrench: Array,
+) -> None:
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    heading_1, heading_2 = heading
+    (force_x, force_y, force_z), (moment_x, moment_y, moment_z) = wrench
+    x0 = 0.5*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = 0.5*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = 0.5*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = 0.5*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = 0.5*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = 0.5*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    x12 = (c_x*c_x) + (c_y*c_y)
+    # length of the central limb (11) [m]
+    q6 = sqrt((c_z*c_z) + x12)
+    # distance of C from the Z axis (11) [m]
+    r = sqrt(x12)
+    x13 = 1.0/q6
+    # unit vector along the central limb, from O to C (1) [1]
+    lambda_x = c_x*x13
+    lambda_y = c_y*x13
+    lambda_z = c_z*x13
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    # signed distance from C to B_i (4) [m]
+    e1 = h1/n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = c_y*n1_x + h1*n1_y
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    # p_i times the leg, its length [m]
+    l1 = sqrt((gt1*gt1) + (gz1*gz1))
+    x14 = SQRT3_2*c_y
+    x15 = a + 0.5*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - 0.5*n2_x
+    # signed distance from C to B_i (4) [m]
+    e2 = h2/p2
+    x16 = 0.5*c_y
+    x17 = SQRT3_2*c_x
+    # p_i times the horizontal part of the leg [m]
+    gt2 = h2*(-SQRT3_2*n2_x - 0.5*n2_y) + p2*(-x16 - x17)
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # p_i times the leg, its length [m]
+    l2 = sqrt((gt2*gt2) + (gz2*gz2))
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x14 + x15
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - 0.5*n3_x
+    # signed distance from C to B_i (4) [m]
+    e3 = h3/p3
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*(SQRT3_2*n3_x - 0.5*n3_y) + p3*(-x16 + x17)
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i times the leg, its length [m]
+    l3 = sqrt((gt3*gt3) + (gz3*gz3))
+    x18 = 1.0/(sqrt((heading_1*heading_1) + (heading_2*heading_2)))
+    # axis of the second revolute of the central limb Section IV [1]
+    axis_x = heading_2*x18
+    axis_y = -heading_1*x18
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    # p_i² times the distance from B_i to D_i [m]
+    rho1 = sqrt((sigma1*sigma1) + (tau1*tau1))
+    x19 = 1.0/rho1
+    x20 = nu_x*sigma1
+    # unit vector from B_i to D_i (14) [1]
+    s1_x = x19*(m1_x*tau1 + x20)
+    x21 = nu_y*sigma1
+    s1_y = x19*(m1_y*tau1 + x21)
+    x22 = nu_z*sigma1
+    s1_z = x19*(m1_z*tau1 + x22)
+    x23 = absolute(n1_x)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb1 = -l1*x19*x23
+    x24 = 0.5*nu_y
+    x25 = SQRT3_2*nu_x
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*(-x24 - x25)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z - gz2*(-SQRT3_2*m2_x - 0.5*m2_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho2 = sqrt((sigma2*sigma2) + (tau2*tau2))
+    x26 = 1.0/rho2
+    # unit vector from B_i to D_i (14) [1]
+    s2_x = x26*(m2_x*tau2 + nu_x*sigma2)
+    x27 = nu_y*sigma2
+    s2_y = x26*(m2_y*tau2 + x27)
+    x28 = nu_z*sigma2
+    s2_z = x26*(m2_z*tau2 + x28)
+    x29 = absolute(p2)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb2 = -l2*x26*x29
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*(-x24 + x25)
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y)
+    # p_i² times the distance from B_i to D_i [m]
+    rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    x30 = 1.0/rho3
+    # unit vector from B_i to D_i (14) [1]
+    s3_x = x30*(m3_x*tau3 + nu_x*sigma3)
+    s3_y = x30*(m3_y*tau3 + nu_y*sigma3)
+    s3_z = x30*(m3_z*tau3 + nu_z*sigma3)
+    x31 = absolute(p3)
+    # Klein form of S_i and the actuated screw (15), (23) [1]
+    limb3 = -l3*x30*x31
+    x32 = sigma2*tau3
+    x33 = sigma3*tau2
+    x34 = sigma3*tau1
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*x32 + sigma1*x33 + sigma2*x34
+    x35 = SQRT3_2/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
+    orientation = tilt*x35
+    # largest length in a leg's equations [m]
+    reach = a + 2.0*q6
+    x36 = a + q6
+    # scale of e1 [m]
+    e_scale1 = x36/x23
+    # scale of e2 [m]
+    e_scale2 = x36/x29
+    # scale of e3 [m]
+    e_scale3 = x36/x31
+    x37 = absolute(sigma1)
+    x38 = absolute(sigma2)
+    x39 = absolute(sigma3)
+    x40 = absolute(tau2)
+    x41 = absolute(tau3)
+    x42 = absolute(tau1)
+    # scale of the orientation factor [m³]
+    orientation_scale = reach*x35*(x37*x38 + x37*x39 + x37*x40 + x37*x41 + x38*x39 + x38*x41 + x38*x42 + x39*x40 + x39*x42)
+    x43 = SQRT3_2*sigma3
+    x44 = 1.3333333333333333*SQRT3_2/tilt
+    # power of the moment at the omega that a drive of 1 of limb 1 alone makes (17) [N]
+    share1 = x44*(moment_x*(-n2_x*x32 + n3_x*x33 + sigma2*sigma3*x25) + moment_y*(-n2_y*x32 + n3_y*x33 + x27*x43) + moment_z*(-n2_z*x32 + n3_z*x33 + x28*x43))
+    # force along S_1 (17) [N]
+    load1 = rho1*share1/e1
+    # force of the actuator of limb 1 (15) [N]
+    force1 = limb1*load1
+    x45 = sigma1*tau3
+    # power of the moment at the omega that a drive of 1 of limb 2 alone makes (17) [N]
+    share2 = x44*(moment_x*(n1_x*x45 - n3_x*x34 + x20*x43) + moment_y*(n1_y*x45 - n3_y*x34 + x21*x43) + moment_z*(n1_z*x45 - n3_z*x34 + x22*x43))
+    # force along S_2 (17) [N]
+    load2 = rho2*share2/e2
+    # force of the actuator of limb 2 (15) [N]
+    force2 = limb2*load2
+    x46 = sigma2*tau1
+    x47 = sigma1*tau2
+    x48 = SQRT3_2*sigma2
+    # power of the moment at the omega that a drive of 1 of limb 3 alone makes (17) [N]
+    share3 = x44*(moment_x*(-n1_x*x47 + n2_x*x46 + x20*x48) + moment_y*(-n1_y*x47 + n2_y*x46 + x21*x48) + moment_z*(-n1_z*x47 + n2_z*x46 + x22*x48))
+    # force along S_3 (17) [N]
+    load3 = rho3*share3/e3
+    # force of the actuator of limb 3 (15) [N]
+    force3 = limb3*load3
+    # force through C that the central limb carries (16) [N]
+    central_force_x = force_x - load1*s1_x - load2*s2_x - load3*s3_x
+    central_force_y = force_y - load1*s1_y - load2*s2_y - load3*s3_y
+    central_force_z = force_z - load1*s1_z - load2*s2_z - load3*s3_z
+    # torque of the actuator of the azimuth (16) [N m]
+    force4 = c_x*central_force_y - c_y*central_force_x
+    # torque of the actuator of the elevation (16) [N m]
+    force5 = -axis_x*c_z*central_force_y + axis_y*c_z*central_force_x + central_force_z*(axis_x*c_y - axis_y*c_x)
+    # force of the actuator of the central limb's length (16) [N]
+    force6 = central_force_x*lambda_x + central_force_y*lambda_y + central_force_z*lambda_z
+    out_forces[0] = force1
+    out_forces[1] = force2
+    out_forces[2] = force3
+    out_forces[3] = force4
+    out_forces[4] = force5
+    out_forces[5] = force6
+    out_extension[0] = e1
+    out_extension[1] = e2
+    out_extension[2] = e3
+    out_extension_scale[0] = e_scale1
+    out_extension_scale[1] = e_scale2
+    out_extension_scale[2] = e_scale3
+    out_orientation[...] = orientation
+    out_orientation_scale[...] = orientation_scale
+    out_incidence[0] = n1_x
+    out_incidence[1] = p2
+    out_incidence[2] = p3
+    out_scaled_legs[0] = l1
+    out_scaled_legs[1] = l2
+    out_scaled_legs[2] = l3
+    out_radial[...] = r
+    out_central_length[...] = q6
+    out_reach[...] = reach
+
+
 class InverseAcceleration(NamedTuple):
     """What `inverse_acceleration` returns."""
 

@@ -6,26 +6,21 @@ change its sign is squared.
 
 from __future__ import annotations
 
-from collections.abc import Mapping
 from typing import TYPE_CHECKING, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.errors import InputError
+from kleinform.limits import Limits
 from kleinform.motion.paths import Poses
 from kleinform.results import EPS, Survey
 
 if TYPE_CHECKING:
     from kleinform.manipulator import UncoupledManipulator
 
-__all__ = ["KINDS", "Bounds", "Quantity", "checked_bounds", "margins", "quantities"]
+__all__ = ["KINDS", "Quantity", "quantities", "room"]
 
 Array = NDArray[np.float64]
-Bounds = Mapping[str, tuple[float, float]]
-
-#: What may have limits.
-LIMITED = ("q1", "q2", "q3", "q4", "q5", "q6", "e1", "e2", "e3")
 #: What each singularity is, by the name of its factor; ``leg_i`` is q_i = 0.
 KINDS = {
     **{f"limb_{i}": "inverse" for i in (1, 2, 3)},
@@ -46,35 +41,20 @@ class Quantity(NamedTuple):
     zero: Array
 
 
-def checked_bounds(limits: Mapping[str, tuple[float, float]]) -> Bounds:
-    """Limits ``(low, high)`` by name; an infinite one is none.
+def room(poses: Poses, survey: Survey, limits: Limits) -> dict[str, Array]:
+    """How far each limit is away, by its name; negative beyond it.
 
-    Raises
-    ------
-    InputError
-        A name is not one of q1 ... q6, e1, e2, e3, or not low < high.
+    A factor's margin is "orientation margin" or "limb_1 margin".
     """
-    checked = {}
-    for name, given in limits.items():
-        if name not in LIMITED:
-            raise InputError(f"limits: one of {', '.join(LIMITED)} is needed, {name!r} arrived")
-        pair = np.asarray(given, dtype=np.float64)
-        if pair.shape != (2,) or not pair[0] < pair[1]:
-            raise InputError(f"limits: {name}: low < high is needed, {given!r} arrived")
-        checked[name] = (float(pair[0]), float(pair[1]))
-    return checked
+    found = limits.room(poses.joints, survey.extension)
+    for name, factor in survey.factors.items():
+        least = limits.margins.get(name.partition("_")[0])
+        if least is not None:
+            found[f"{name} margin"] = abs(factor) - least
+    return found
 
 
-def margins(joints: Array, extension: Array, bounds: Bounds) -> dict[str, Array]:
-    """How far each finite limit is away, in its unit, by its name and "low" or "high"."""
-    columns = dict(zip(LIMITED, [*joints.T, *extension.T], strict=True))
-    ends: dict[str, Array] = {}
-    for name, (low, high) in bounds.items():
-        ends |= {f"{name} low": columns[name] - low, f"{name} high": high - columns[name]}
-    return {name: margin for name, margin in ends.items() if np.isfinite(margin).any()}
-
-
-def quantities(robot: UncoupledManipulator, poses: Poses, bounds: Bounds) -> dict[str, Quantity]:
+def quantities(robot: UncoupledManipulator, poses: Poses, limits: Limits) -> dict[str, Quantity]:
     """Everything that is watched, at some poses."""
     survey = robot.survey(poses.positions, poses.rotations)
     small = robot.rounding * EPS
@@ -91,9 +71,8 @@ def quantities(robot: UncoupledManipulator, poses: Poses, bounds: Bounds) -> dic
     found["central"] = Quantity(radial, (small * size) ** 2)
     found["wrist"] = _factor(survey, "wrist", 1.0 + 0.0 * size, small)
     found["orientation"] = _factor(survey, "orientation", incidence.prod(axis=0) ** 2, small)
-    for name, margin in margins(poses.joints, survey.extension, bounds).items():
-        scale = max(abs(bound) for bound in bounds[name[:2]] if np.isfinite(bound))
-        found[name] = Quantity(margin, small * scale + 0.0 * size)
+    for name, away in room(poses, survey, limits).items():
+        found[name] = Quantity(away, small * (abs(away) + abs(_bound(name, limits))))
     return found
 
 
@@ -101,3 +80,11 @@ def _factor(survey: Survey, name: str, poles: Array, small: float) -> Quantity:
     """A factor without its poles."""
     with np.errstate(invalid="ignore"):  # on a pole another quantity vanishes
         return Quantity(survey.factors[name] * poles, small * survey.scales[name] * poles)
+
+
+def _bound(name: str, limits: Limits) -> float:
+    """The limit that a name of `room` means."""
+    what, end = name.split()
+    if end == "margin":
+        return limits.margins[what.partition("_")[0]]
+    return limits.range_of(what)[end == "high"]

@@ -16,16 +16,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.errors import InputError
+from kleinform.limits import Limits
 from kleinform.motion.joint_motion import JointMotion
 from kleinform.motion.paths import RESOLUTION, FollowedPath, GivenPath, ModeEndedError
 from kleinform.motion.pose_motion import PoseMotion
 from kleinform.motion.quantities import (
     KINDS,
-    Bounds,
     Quantity,
-    checked_bounds,
-    margins,
     quantities,
+    room,
 )
 from kleinform.results import Survey
 from kleinform.screening import RotationLike, one_rotation
@@ -55,7 +54,8 @@ class Meeting(NamedTuple):
     time : float
         [s], to 1e-9.
     name : str
-        A factor of `Survey`, ``leg_i`` for q_i = 0, or a limit, such as ``"q1 high"``.
+        A factor of `Survey`, ``leg_i`` for q_i = 0, or a limit: ``"q1 high"``,
+        ``"orientation margin"``.
     kind : {"direct", "inverse", "wrist", "limb", "limit"}
     """
 
@@ -76,7 +76,7 @@ class Watch:
         The motion at the samples; q4 does not jump.
     survey : Survey
         Factors, determinants and extensions over time.
-    margins : mapping of name to array (T,)
+    room : mapping of name to array (T,)
         How far each limit is away, in its unit; negative beyond it.
     first : Meeting or None
         What is met first.
@@ -87,7 +87,7 @@ class Watch:
     rotations: Array
     joints: Array
     survey: Survey
-    margins: Mapping[str, Array]
+    room: Mapping[str, Array]
     first: Meeting | None
 
 
@@ -97,27 +97,26 @@ class Watched:
 
     robot: UncoupledManipulator
     path: GivenPath | FollowedPath
-    bounds: Bounds
+    limits: Limits
 
     def at_samples(self) -> dict[str, Quantity]:
-        return quantities(self.robot, self.path.samples, self.bounds)
+        return quantities(self.robot, self.path.samples, self.limits)
 
     def at(self, times: Array) -> dict[str, Quantity]:
-        return quantities(self.robot, self.path.poses(times), self.bounds)
+        return quantities(self.robot, self.path.poses(times), self.limits)
 
 
 def watch(
     robot: UncoupledManipulator,
     motion: JointMotion | PoseMotion,
     count: int,
-    limits: Mapping[str, tuple[float, float]],
+    limits: Limits,
     start_rotation: RotationLike | None,
     mode: int | None,
 ) -> Watch:
     """See `UncoupledManipulator.watch`."""
-    bounds = checked_bounds(limits)
     path = _path(robot, motion, count, start_rotation, mode)
-    watched = Watched(robot, path, bounds)
+    watched = Watched(robot, path, limits)
     while True:
         try:
             first = first_meeting(watched)
@@ -126,7 +125,7 @@ def watch(
             continue
     samples = path.samples
     survey = robot.survey(samples.positions, samples.rotations)
-    away = margins(samples.joints, survey.extension, bounds)
+    away = room(samples, survey, limits)
     return Watch(path.times, *samples, survey, away, first)
 
 

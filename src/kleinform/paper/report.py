@@ -163,9 +163,7 @@ def table_2_rows() -> Iterator[Row]:
     """Table 2: the coefficients derived from the two poses."""
     every = rest_to_rest_coefficients(start_joints(), end_joints(), printed.END_TIME)
     derived = every[:, [0, 3, 4, 5]]
-    for joint, (texts, values) in enumerate(
-        zip(printed.TABLE_2, derived, strict=True), start=1
-    ):
+    for joint, (texts, values) in enumerate(zip(printed.TABLE_2, derived, strict=True), start=1):
         for power, text, value in zip((0, 3, 4, 5), texts, values, strict=True):
             yield compare(f"Table 2: mu_{joint},{power}", text, float(value))
 
