@@ -5,6 +5,7 @@
 
 from __future__ import annotations
 
+import signal
 import sys
 from typing import NoReturn
 
@@ -22,6 +23,18 @@ def main() -> None:
     Exits with code 2 and one line on standard error where the command cannot do what it is
     asked to, the extra ``kleinform[cli]`` missing among the reasons.
     """
+    if sys.stdin is None or sys.stdout is None:
+        refuse("standard input and output are needed, one of them is closed")
+    # Ended from outside, a command takes away what it has begun to write.
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
+    try:
+        run()
+    except KeyboardInterrupt:
+        sys.exit(128 + signal.SIGINT)
+
+
+def run() -> NoReturn:
+    """Run the command, with every error on one line."""
     try:
         import typer
 

@@ -37,6 +37,8 @@ TRUST = 0.125
 #: A segment between two samples is halved at most so often.
 MOST_HALVINGS = 24
 MOST_ITERATIONS = 12
+#: In so many parts of a stretch the trust is looked at.
+PARTS = 8
 #: Newton's method has converged when its step is below STEP, or below SMALL and no longer
 #: shrinking; directions are unit vectors.
 STEP = 4.0 * float(np.finfo(np.float64).eps)
@@ -56,10 +58,16 @@ def track(radius: Array, joints: ArrayLike, start_rotation: RotationLike) -> tup
     known, numbers = _turned(np.array(list(stations.values()))), np.array(list(stations))
     found, sure = polish(size, positions, motion[:, :3], numbers, known)
     found[numbers] = known
+    here = stations[0]
     for before, after in pairwise(stations):
-        if not sure[before : after + 1].all():
-            stretch = _follow(size, motion, stations[before], before, after)
-            found[before + 1 : after + 1] = _turned(stretch)
+        # A stretch that was followed may have led elsewhere than to its station.
+        if here is stations[before] and sure[before : after + 1].all():
+            here = stations[after]
+            continue
+        stretch = _follow(size, motion, here, before, after)
+        found[before + 1 : after + 1] = _turned(stretch)
+        apart = np.abs(stretch[-1] - stations[after]).max()
+        here = stations[after] if apart <= SMALL else stretch[-1]
     return positions, found
 
 
@@ -88,21 +96,22 @@ def _stations(radius: float, motion: Array, start: Array) -> dict[int, Array]:
 def _reach(radius: float, stretch: Array, directions: Array) -> Array | None:
     """The directions at the end of a stretch of samples, or None where they are not sure.
 
-    Newton's method must be trusted at the end, and at the sample that is farthest from the
-    first: a periodic motion comes back to where it was.
+    Newton's method must be trusted at the end, and in each of some parts of the stretch at the
+    sample that is farthest from the first: a motion may come back to where it was.
     """
     away = np.linalg.norm((stretch - stretch[0]) / [radius, radius, radius, 1, 1, radius], axis=1)
-    farthest = int(np.argmax(away))
-    for sample in {farthest, len(stretch) - 1}:
-        if _kantorovich(radius, stretch[sample], directions) > TRUST:
-            return None
+    parts = np.array_split(np.arange(1, len(stretch)), min(PARTS, len(stretch) - 1))
+    looked_at = [part[np.argmax(away[part])] for part in parts]
+    looked_at.append(len(stretch) - 1)
+    if (_kantorovich(radius, stretch[looked_at], directions) > TRUST).any():
+        return None
     return newton(radius, stretch[-1], directions)
 
 
-def _follow(radius: float, motion: Array, directions: Array, first: int, last: int) -> Array:
-    """The directions at samples ``first + 1`` to ``last``, one after the other."""
+def _follow(radius: float, motion: Array, directions: Array, before: int, after: int) -> Array:
+    """The directions at samples ``before + 1`` to ``after``, one after the other."""
     followed = []
-    for sample in range(first + 1, last + 1):
+    for sample in range(before + 1, after + 1):
         directions = _advance(radius, motion[sample - 1], motion[sample], directions, sample)
         followed.append(directions)
     return np.array(followed)
@@ -160,7 +169,7 @@ def _advance(radius: float, start: Array, end: Array, directions: Array, sample:
     while done < 1.0:
         size = min(size, 1.0 - done)
         joints = start + (done + size) * (end - start)
-        number = _kantorovich(radius, joints, directions)
+        number = _kantorovich(radius, joints[np.newaxis], directions)[0]
         reached = newton(radius, joints, directions) if number <= TRUST else None
         if reached is None:
             size /= 2.0
@@ -177,18 +186,24 @@ def _advance(radius: float, start: Array, end: Array, directions: Array, sample:
     return directions
 
 
-def _kantorovich(radius: float, joints: Array, directions: Array) -> float:
-    """Kantorovich's number of Newton's method from some directions, affine invariant."""
+def _kantorovich(radius: float, joints: Array, directions: Array) -> Array:
+    """Kantorovich's number (S,) of Newton's method from some directions, affine invariant.
+
+    For joint values (S, 6).
+    """
     pairs = np.concatenate([directions[np.newaxis], BASIS])
-    center = kernels.central_forward(joints[3:]).position
-    system = kernels.closure(radius, center, joints[:3], pairs)
+    center = kernels.central_forward(joints[:, np.newaxis, 3:]).position
+    system = kernels.closure(radius, center, joints[:, np.newaxis, :3], pairs)
     # Columns: the residual, then the derivative of the Jacobian in each of six directions.
-    sides = np.concatenate([system.residual[0][:, np.newaxis], *system.jacobian[1:]], axis=1)
+    change = np.moveaxis(system.jacobian[:, 1:], 1, 2).reshape(len(joints), 6, 36)
+    sides = np.concatenate([system.residual[:, 0, :, np.newaxis], change], axis=2)
     try:
-        solved = np.linalg.solve(system.jacobian[0], sides)
+        solved = np.linalg.solve(system.jacobian[:, 0], sides)
     except np.linalg.LinAlgError:
-        return np.inf
-    return float(np.linalg.norm(solved[:, 0]) * np.linalg.norm(solved[:, 1:]))
+        return np.full(len(joints), np.inf)
+    first, rest = solved[..., 0], solved[..., 1:]
+    number: Array = np.linalg.norm(first, axis=1) * np.linalg.norm(rest, axis=(1, 2))
+    return number
 
 
 def newton(radius: float, joints: Array, directions: Array) -> Array | None:

@@ -128,8 +128,9 @@ def test_a_reader_that_leaves(tmp_path: Path, arguments: str) -> None:
 
 
 @POSIX
-def test_an_interrupt_leaves_nothing(tmp_path: Path) -> None:
-    """Exit code 130, no traceback, no file."""
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM])
+def test_what_is_interrupted_leaves_nothing(tmp_path: Path, number: int) -> None:
+    """Exit code 128 and the signal's number, no traceback, no file."""
     target = tmp_path / "q.csv"
     command = [*COMMAND, "inverse", "--input", "-", "--output", str(target)]
     process = subprocess.Popen(command, stdin=subprocess.PIPE, stderr=subprocess.PIPE)
@@ -140,12 +141,26 @@ def test_an_interrupt_leaves_nothing(tmp_path: Path) -> None:
     until = time.monotonic() + 30.0
     while not list(tmp_path.glob(".q.csv.*/q.csv")) and time.monotonic() < until:
         time.sleep(0.05)
-    process.send_signal(signal.SIGINT)
-    assert process.wait(timeout=30.0) == 130
+    process.send_signal(number)
+    assert process.wait(timeout=30.0) == 128 + number
     assert process.stderr.read() == b""
     process.stdin.close()
     process.stderr.close()
     assert list(tmp_path.iterdir()) == []
+
+
+@POSIX
+@pytest.mark.parametrize("closed", ["<&-", ">&-"])
+def test_closed_standard_streams_are_one_line(closed: str) -> None:
+    ran = subprocess.run(
+        ["sh", "-c", f'"$0" -m kleinform latex {closed}', sys.executable],
+        capture_output=True,
+        check=False,
+        text=True,
+    )
+    assert ran.returncode == 2
+    assert ran.stderr.startswith("kleinform: standard input and output are needed")
+    assert ran.stderr.count("\n") == 1
 
 
 @LINUX

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -128,6 +129,64 @@ def test_an_npz_that_is_no_table(run, tmp_path: Path, arrays, message: str) -> N
     table = {name: np.ones(2) for name in HEADER.strip().split(",")}
     np.savez(tmp_path / "poses.npz", **(table | arrays))
     assert refused(run("inverse", "--input", "poses.npz")).startswith(f"poses.npz: {message}")
+
+
+def npy(header: str, version: int = 1) -> bytes:
+    """A file of NumPy with any header."""
+    text = header.encode() + b"\n"
+    size = len(text).to_bytes(2 if version == 1 else 4, "little")
+    return b"\x93NUMPY" + bytes([version, 0]) + size + text + bytes(8)
+
+
+@pytest.mark.parametrize(
+    "member",
+    [
+        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (1,"),
+        npy("(" * 9000),
+        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (1,), }", version=9),
+        npy("{'descr': '<f8'}"),
+        b"junk",
+    ],
+)
+def test_an_npz_with_a_member_that_is_no_array(run, tmp_path: Path, member: bytes) -> None:
+    path = write(tmp_path / "good.npz", random_poses(1))
+    with zipfile.ZipFile(path) as good, zipfile.ZipFile(tmp_path / "poses.npz", "w") as bad:
+        for name in good.namelist():
+            bad.writestr(name, member if name == "x.npy" else good.read(name))
+    message = refused(run("inverse", "--input", "poses.npz"))
+    assert message.startswith("poses.npz: x: not an array:")
+
+
+@pytest.mark.parametrize("method", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_an_npz_whose_packing_is_damaged(run, tmp_path: Path, method: int) -> None:
+    path = write(tmp_path / "good.npz", random_poses(100))
+    with (
+        zipfile.ZipFile(path) as good,
+        zipfile.ZipFile(tmp_path / "poses.npz", "w", method) as bad,
+    ):
+        for name in good.namelist():
+            bad.writestr(name, good.read(name))
+    data = bytearray((tmp_path / "poses.npz").read_bytes())
+    data[60:75] = bytes(byte ^ 0x5A for byte in data[60:75])
+    (tmp_path / "poses.npz").write_bytes(data)
+    assert refused(run("inverse", "--input", "poses.npz")).startswith("poses.npz: x: ")
+
+
+@pytest.mark.parametrize("rates", [False, True])
+@pytest.mark.parametrize(
+    ("times", "line"), [((0.0, "nan"), 3), ((0.1, 0.1), 3), ((0.0, 0.1, 0.1), 4), ((1.0, 0.5), 3)]
+)
+def test_times_that_do_not_go_on(run, tmp_path: Path, rates: bool, times, line: int) -> None:
+    """With rates and without, the row is named."""
+    names = [f"q{i}" for i in range(1, 7)]
+    values = [1.0, 1.19, 0.87, 0.67, 1.26, 1.05]
+    if rates:
+        names += [f"dq{i}" for i in range(1, 7)] + [f"ddq{i}" for i in range(1, 7)]
+        values += [0.0] * 12
+    rows = [",".join(["t", *names]), *(",".join(map(str, [t, *values])) for t in times)]
+    (tmp_path / "motion.csv").write_text("\n".join(rows) + "\n")
+    message = refused(run("trajectory", "--input", "motion.csv", "--mode", 0))
+    assert message.startswith(f"motion.csv, line {line}: times: ")
 
 
 def test_an_npz_that_is_damaged(run, tmp_path: Path) -> None:

@@ -109,6 +109,43 @@ def test_a_margin_of_a_factor() -> None:
     assert abs(abs(factor[0]) - 0.05) <= 1e-9
 
 
+def resting(top: float) -> JointMotion:
+    """q1 rises to a value in a second, rests on it for two, and goes back."""
+    start = ROBOT.inverse_displacement(HOME, START)
+
+    def path(t: np.ndarray) -> np.ndarray:
+        share = np.clip(np.minimum(t, 4.0 - t), 0.0, 1.0)
+        moved = np.repeat(start[np.newaxis], len(t), axis=0)
+        moved[:, :1] += (top - start[0]) * share
+        return moved
+
+    return joints(path, 4.0)
+
+
+@pytest.mark.parametrize("short", [0, 1, 3, 8])
+@pytest.mark.parametrize("count", [5, 11, 101, 102])
+def test_a_rest_on_a_limit_within_rounding(short: int, count: int) -> None:
+    """What counts as zero counts between the samples too."""
+    top = 1.1
+    limits = Limits({"q1": (0.5, top + short * np.spacing(top))})
+    found = ROBOT.watch(resting(top), count, start_rotation=START, limits=limits)
+    assert found.first.name == "q1 high"
+    assert abs(found.first.time - 1.0) <= SOON
+
+
+def test_a_motion_that_ends_on_a_limit() -> None:
+    """From rest to rest: it counts as there a little before the end."""
+    start = ROBOT.inverse_displacement(HOME, START)
+    rng = np.random.default_rng(6)
+    for top in start[0] + rng.uniform(0.01, 0.1, 30):
+        end = np.add(start, [top - start[0], 0.01, 0.0, 0.0, 0.0, 0.0])
+        motion = rest_to_rest(start, end, float(rng.uniform(0.5, 500.0)))
+        limits = Limits({"q1": (0.5, float(end[0]))})
+        first = ROBOT.watch(motion, 100, start_rotation=START, limits=limits).first
+        assert first.name == "q1 high"
+        assert 0.0 <= (motion.end - first.time) / motion.end <= 1e-3
+
+
 def test_an_infinite_limit_is_none() -> None:
     limits = Limits({"q1": (-np.inf, np.inf), "q2": (0.5, np.inf)})
     found = ROBOT.watch(example_1(), 20, start_rotation=START, limits=limits)
@@ -298,6 +335,14 @@ def test_what_is_asked_wrongly() -> None:
     motion = example_1()
     with pytest.raises(InputError, match=r"^count: "):
         ROBOT.watch(motion, 1, start_rotation=START)
+    for count in (11.5, "11", None, True):
+        with pytest.raises(InputError, match=r"^count: "):
+            ROBOT.watch(motion, count, start_rotation=START)
+    for mode in (0.0, True, 99, np.array([0, 1])):
+        with pytest.raises(InputError, match=r"^mode: "):
+            ROBOT.watch(motion, 20, mode=mode)
+    with pytest.raises(InputError, match=r"^limits: "):
+        ROBOT.watch(motion, 20, start_rotation=START, limits={"q1": (0.0, 1.0)})
     with pytest.raises(InputError, match="either start_rotation or mode="):
         ROBOT.watch(motion, 20)
     with pytest.raises(InputError, match="needs no start_rotation"):

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-from scipy.spatial.transform import Rotation
+from scipy.spatial.transform import Rotation, Slerp
 
 import kleinform.tracking
 from kleinform import TrackingError, UncoupledManipulator
@@ -97,3 +97,33 @@ def test_an_excursion_after_a_rest_is_not_stepped_over() -> None:
     _, found = track(ROBOT.radius, np.concatenate([rest, joints, rest]), start.as_matrix())
     expected = one_by_one(joints, start.as_matrix())
     assert abs(found[300:364] - expected).max() <= 1e-11
+
+
+@pytest.mark.parametrize("parts", [1, kleinform.tracking.PARTS])
+def test_a_loop_that_changes_the_mode_and_a_rest_after_it(
+    parts: int, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """The joint values come back, the platform does not; at rest it stays where it is.
+
+    A turn between two modes of the same joint values meets no singularity. Looked at in one
+    part, a stretch goes over the loop, and its station lies in the mode before it.
+    """
+    monkeypatch.setattr(kleinform.tracking, "PARTS", parts)
+    place = np.array([-0.022299082198072133, -0.5289904259769532, 0.9043123949706929])
+    ends = Rotation.from_rotvec(
+        [
+            [-0.38965806234088995, -0.5014126422663502, -0.7242842532669038],
+            [-0.5227289327259365, -0.6564506035956945, -0.5868238265713555],
+        ]
+    )
+    turn = Slerp([0.0, 1.0], ends)(np.linspace(0.0, 1.0, 100)).as_matrix()
+    loop = ROBOT.inverse_displacement(np.broadcast_to(place, (100, 3)), turn)
+    loop[-1] = loop[0]
+    away = np.array([0.020745, 0.008467, 0.012381, 0.002724, -0.005737, 0.021173])
+    share = np.concatenate([np.linspace(0.0, 1.0, 14), np.linspace(1.0, 0.0, 14)])
+    rest = np.tile(loop[0], (128, 1))
+    path = np.concatenate([rest, loop[0] + share[:, np.newaxis] * away, loop, rest])
+    _, found = ROBOT.track(path, turn[0])
+    assert abs(found - one_by_one(path, turn[0])).max() <= 1e-9
+    assert abs(found[-1] - turn[-1]).max() <= 1e-9
+    assert abs(found[128] - found[-1]).max() >= 0.1

@@ -110,6 +110,8 @@ def _file_writer(path: Path) -> Iterator[Writer]:
         raise InputError(f"{path}: there is no folder {target.parent}")
     if target.exists() and not target.is_file():
         raise InputError(f"{path}: not a file")
+    if not os.access(target.parent, os.W_OK):
+        raise InputError(f"{path}: the folder {target.parent} may not be written to")
     with TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
         aside = Path(folder) / target.name
         if form == "npz":

@@ -29,6 +29,7 @@ from kleinform.commands.streams import Streams
 from kleinform.errors import InputError, KleinformError
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.motion import JointStates
+from kleinform.motion.clock import increasing_times
 from kleinform.rotations import rotation_from_rpy, rpy_from_rotation
 
 __all__ = ["trajectory"]
@@ -113,13 +114,13 @@ def _of_block(
     """The platform along a motion that was read."""
     motion = in_radians(block.table) if degrees else block.table
     try:
+        times = increasing_times(motion["t"], 1)
         if RATES[0] not in motion:
-            poses = robot.track(stacked(motion, JOINTS), start, mode=mode)
-            return _poses(motion["t"], *poses)
+            return _poses(times, *robot.track(stacked(motion, JOINTS), start, mode=mode))
         joints, rates, accelerations = (
             stacked(motion, names) for names in (JOINTS, RATES, ACCELERATIONS)
         )
-        states = JointStates(motion["t"], joints, rates, accelerations)
+        states = JointStates(times, joints, rates, accelerations)
         return _with_twists(robot, states, start, mode)
     except KleinformError as error:
         raise named_row(error, block) from None

@@ -88,7 +88,8 @@ def start_of(radius: Array, joints: ArrayLike, mode: int | None) -> Array:
     if motion.ndim != 2 or not len(motion):
         raise ShapeError(f"joints: shape (T, 6) with T >= 1 is needed, {motion.shape} arrived")
     modes = all_modes(radius, motion[0], TOLERANCE, certify=False)
-    if mode not in range(len(modes)):
+    number = isinstance(mode, (int, np.integer)) and not isinstance(mode, bool)
+    if not (number and mode in range(len(modes))):
         raise InputError(f"mode: the first sample has {len(modes)} modes, {mode!r} arrived")
     rotation: Array = modes.rotation[mode]
     return rotation

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kleinform.errors import InputError, NotFiniteError, ShapeError
+from kleinform.errors import InputError, ShapeError
 from kleinform.screening import Screen, real_array, reject_bad_numbers
 
 __all__ = [
@@ -49,20 +49,17 @@ def increasing_times(times: ArrayLike, least: int) -> Array:
     when = real_array("times", times, ())
     if when.ndim != 1 or len(when) < least:
         raise ShapeError(f"times: shape (T,) with T >= {least} is needed, {when.shape} arrived")
-    if not np.isfinite(when).all():
-        raise NotFiniteError("times: NaN or inf")
-    late = np.flatnonzero(np.diff(when) <= 0.0)
-    if late.size:
-        raise InputError(
-            f"times: each after the one before is needed, {float(when[late[0] + 1])!r} after "
-            f"{float(when[late[0]])!r} arrived, at sample {late[0] + 1}"
-        )
+    screen = Screen(when.shape, "raise")
+    reject_bad_numbers(screen, "times", when, 0)
+    late = np.diff(when, prepend=-np.inf) <= 0.0
+    screen.reject(late, InputError, "times: each after the one before is needed", when)
+    screen.settle()
     return when
 
 
 def even_times(start: float, end: float, count: int) -> Array:
     """So many evenly spaced times, the first and the last among them."""
-    if count < 2:
+    if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 2:
         raise InputError(f"count: at least 2 samples are needed, {count!r} arrived")
     return np.linspace(start, end, count)
 

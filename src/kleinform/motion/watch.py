@@ -20,12 +20,7 @@ from kleinform.limits import Limits
 from kleinform.motion.joint_motion import JointMotion
 from kleinform.motion.paths import RESOLUTION, FollowedPath, GivenPath, ModeEndedError
 from kleinform.motion.pose_motion import PoseMotion
-from kleinform.motion.quantities import (
-    KINDS,
-    Quantity,
-    quantities,
-    room,
-)
+from kleinform.motion.quantities import KINDS, Quantity, quantities, room
 from kleinform.results import Survey
 from kleinform.screening import RotationLike, one_rotation
 
@@ -37,8 +32,10 @@ __all__ = ["Meeting", "Watch", "watch"]
 Array = NDArray[np.float64]
 #: With how many samples a stretch is looked at anew.
 FINER = 17
-#: Samples so near to each other [s] settle a dip by their parabola.
-NEAR = 1e-6
+#: Over so many times what counts as zero, a parabola settles where a quantity turns.
+SHALLOW = 1e5
+#: A parabola is seen when it rises by so many times what counts as zero.
+VISIBLE = 4.0
 #: A dip is a touch when it is no deeper than what the motion makes of it in this time [s].
 TOUCH = 1e-9
 #: From how many values the end of a mode is extrapolated, and how often from nearer ones.
@@ -52,7 +49,8 @@ class Meeting(NamedTuple):
     Attributes
     ----------
     time : float
-        [s], to 1e-9.
+        [s]. To 1e-9 where a quantity changes its sign, or turns at zero with a curvature that
+        rounding does not hide; where it comes to rest at zero, when it first counts as zero.
     name : str
         A factor of `Survey`, ``leg_i`` for q_i = 0, or a limit: ``"q1 high"``,
         ``"orientation margin"``.
@@ -115,6 +113,8 @@ def watch(
     mode: int | None,
 ) -> Watch:
     """See `UncoupledManipulator.watch`."""
+    if not isinstance(limits, Limits):
+        raise InputError(f"limits: Limits are needed, {limits!r} arrived")
     path = _path(robot, motion, count, start_rotation, mode)
     watched = Watched(robot, path, limits)
     while True:
@@ -150,7 +150,7 @@ def _first_time(watched: Watched, name: str, value: Array, zero: Array) -> float
     sign = -1.0 if name in KINDS and value[0] < 0.0 else 1.0
     if sign * value[0] < 0.0:  # beyond a limit
         return float(times[0])
-    for low, high in _suspects(times, sign * value):
+    for low, high in _suspects(times, sign * value, zero):
         time = _zoom(watched, name, sign, low, high)
         if time is not None:
             return time
@@ -166,22 +166,25 @@ def _zoom(watched: Watched, name: str, sign: float, low: float, high: float) -> 
     times = times[: len(value)]
     if len(times) < 3:
         return None
-    if times[1] - times[0] <= NEAR and (sign * value >= -zero).all():
-        return _touch(times, sign * value, zero)
-    for ends in _suspects(times, sign * value):
+    value = sign * value
+    if np.ptp(value) <= SHALLOW * zero.max() and (value >= -zero).all():
+        turn = _touch(times, value, zero)
+        if turn is not None:
+            return turn
+    for ends in _suspects(times, value, zero):
         found = _zoom(watched, name, sign, *ends)
         if found is not None:
             return found
     return None
 
 
-def _suspects(times: Array, value: Array) -> Iterator[tuple[float, float]]:
+def _suspects(times: Array, value: Array, zero: Array) -> Iterator[tuple[float, float]]:
     """Stretches in which a quantity may come down to zero, up to the first in which it does.
 
     A curve that bends upwards lies above the lines through its points: it can come down to
     zero between two samples only if the lines from both sides do.
     """
-    met = np.flatnonzero(value <= 0.0)
+    met = np.flatnonzero(value <= zero)
     last = int(met[0]) if met.size else len(times) - 1
     slopes = np.diff(value) / np.diff(times)
     ahead, behind = np.full((2, len(slopes)), -np.inf)
@@ -195,14 +198,14 @@ def _suspects(times: Array, value: Array) -> Iterator[tuple[float, float]]:
 
 
 def _touch(times: Array, value: Array, zero: Array) -> float | None:
-    """Where a quantity that stays positive comes down to zero nevertheless, if it does."""
+    """Where a quantity turns that does not change its sign, if it comes down to zero there."""
     middle = times[len(times) // 2]
     unit = times[-1] - middle
     floor, slope, bend = np.polynomial.polynomial.polyfit((times - middle) / unit, value, 2)
-    turn = -0.5 * slope / bend if bend > 0.0 else -np.sign(slope)
-    turn = min(max(turn, -1.0), 1.0)
-    dip = floor + slope * turn + bend * turn**2
-    near = dip <= zero.max() + abs(bend) * (TOUCH / unit) ** 2
+    if bend <= VISIBLE * zero.max() or abs(slope) > 2.0 * bend:
+        return None
+    turn = -0.5 * slope / bend
+    near = floor + 0.5 * slope * turn <= zero.max() + bend * (TOUCH / unit) ** 2
     return float(middle + unit * turn) if near else None
 
 
