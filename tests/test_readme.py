@@ -41,7 +41,7 @@ def test_the_error_is_the_one_that_readme_shows(example) -> None:
     assert comment == f"# kleinform.errors.SingularPoseError: {caught.value}"
 
 
-@pytest.mark.parametrize("name", ["assembly-modes.md", "motion.md"])
+@pytest.mark.parametrize("name", ["assembly-modes.md", "motion.md", "maps.md"])
 def test_a_page_prints_what_it_shows(name: str) -> None:
     page = (Path(__file__).parents[1] / "docs" / name).read_text(encoding="utf-8")
     blocks = re.findall(r"```(\w*)\n(.*?)```", page, flags=re.DOTALL)

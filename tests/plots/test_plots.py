@@ -11,6 +11,7 @@ import pytest
 from matplotlib.figure import Figure
 
 import kleinform
+from kleinform.maps.modes import joint_map
 from kleinform.motion import PlatformStates
 from kleinform.paper import printed
 from kleinform.paper.examples import example_1
@@ -20,6 +21,7 @@ from kleinform.plots import (
     draw_robot,
     draw_screws,
     histories,
+    maps,
     paper,
     robots,
     settle,
@@ -28,9 +30,10 @@ from kleinform.plots.drawing import write
 from kleinform.plots.scene import scene
 from kleinform.verification.report import ours
 
-NAMES = ["fig-2", "fig-4", "fig-5", "fig-6", "fig-7", "fig-8", "modes"]
+NAMES = ["fig-2", "fig-4", "fig-5", "fig-6", "fig-7", "fig-8", "joined", "mode-maps", "modes"]
 POSE = (robots.POSITION, robots.ROTATION)
 SAMPLES = 41
+JOINTS = robots.ROBOT.inverse_displacement(*POSE)
 
 
 @pytest.fixture(scope="module")
@@ -228,6 +231,32 @@ def test_a_pose_that_cannot_be_drawn_is_refused(axes) -> None:
         draw_robot(axes, robots.ROBOT, [0.1, 0.2, 1.0], upright)
     with pytest.raises(kleinform.ShapeError, match="one radius"):
         draw_robot(axes, kleinform.UncoupledManipulator([1.0, 2.0]), *POSE)
+
+
+# Maps ------------------------------------------------------------------------------------
+
+
+def test_a_map_shows_its_numbers_and_curves() -> None:
+    counted = joint_map(robots.ROBOT, JOINTS, ("q1", "q2"), ((0.6, 1.4), (0.6, 1.4)), resolution=9)
+    figure = Figure()
+    axes = figure.add_subplot()
+    maps.draw_modes(axes, counted)
+    mesh, curves = axes.collections
+    np.testing.assert_array_equal(mesh.get_array().reshape(9, 9), counted.counts.T)
+    np.testing.assert_array_equal(curves.get_segments(), counted.segments)
+    scale = figure.axes[1]
+    assert scale.get_ylabel().startswith("assembly modes")
+    assert scale.get_yticks().tolist() == np.unique(counted.counts).tolist()
+
+
+def test_the_way_between_two_modes_begins_and_ends_at_the_same_joint_values() -> None:
+    *_, history = maps.joined(samples=15).axes
+    assert len(history.lines) == 3
+    for line in history.lines:
+        lengths = line.get_ydata()
+        assert abs(lengths[0] - lengths[-1]) <= 1e-14
+        assert np.ptp(lengths) >= 0.05
+    assert "[m]" in history.get_ylabel()
 
 
 # The files -------------------------------------------------------------------------------

@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from kleinform.motion import JointMotion, PlatformStates
-from kleinform.plots import histories, robots
+from kleinform.plots import histories, maps, robots
 from kleinform.plots.drawing import Figure, write
 from kleinform.verification import by_pinocchio
 from kleinform.verification.report import EXAMPLES, ours, start_of
@@ -15,6 +15,8 @@ from kleinform.verification.report import EXAMPLES, ours, start_of
 __all__ = ["figures", "followed", "write_figures"]
 
 SAMPLES = 321
+#: Along both axes of a map.
+RESOLUTION = 121
 #: Fig. 5 and 6 are of Example 1, Fig. 7 and 8 of Example 2.
 NUMBERS = {"Example 1": (5, 6), "Example 2": (7, 8)}
 
@@ -28,6 +30,7 @@ def figures(samples: int = SAMPLES) -> dict[str, Callable[[], Figure]]:
         Pinocchio is not installed.
     """
     found = {"fig-2": robots.diagram, "fig-4": robots.screws, "modes": robots.modes}
+    found |= {"mode-maps": partial(maps.mode_maps, min(samples, RESOLUTION)), "joined": maps.joined}
     for name, motion in EXAMPLES.items():
         own, theirs = followed(motion, samples)
         pose, rate = NUMBERS[name]

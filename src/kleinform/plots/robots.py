@@ -15,7 +15,7 @@ from kleinform.plots.draw import (
 from kleinform.plots.drawing import Figure
 from kleinform.plots.strokes import Axes3D, settle
 
-__all__ = ["diagram", "modes", "screws"]
+__all__ = ["diagram", "modes", "screws", "share_limits"]
 
 ROBOT = UncoupledManipulator(radius=printed.RADIUS)
 POSITION = np.array(printed.POSITION)
@@ -46,7 +46,7 @@ def screws() -> Figure:
     draw_reciprocal_lines(right, ROBOT, POSITION, ROTATION)
     left.set_title(f"joint screws of limb {LIMB} and of the central limb 4")
     right.set_title("reciprocal lines $\\mathbf{S}_i$ from $B_i$ to $D_i$")
-    _share_limits([left, right])
+    share_limits([left, right])
     for axes in (left, right):
         settle(axes, zoom=1.55)
     return figure
@@ -62,13 +62,13 @@ def modes() -> Figure:
         signs = ", ".join("+" if distance > 0.0 else "−" for distance in found.extension[k])
         verdict = "feasible" if found.feasible[k] else "not feasible"
         axes.set_title(f"row {k + 1}: signs of $e_i$ {signs}\n{verdict}")
-    _share_limits(panels)
+    share_limits(panels)
     for axes in panels:
         settle(axes, zoom=1.35)
     return figure
 
 
-def _share_limits(panels: list[Axes3D]) -> None:
+def share_limits(panels: list[Axes3D]) -> None:
     """One scale for all panels."""
     limits = np.array([[axes.get_xlim(), axes.get_ylim(), axes.get_zlim()] for axes in panels])
     x, y, z = np.stack([limits[..., 0].min(axis=0), limits[..., 1].max(axis=0)], axis=1)
