@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from benchmarks import kernels, modes, motion
+from benchmarks import classification, kernels, modes, motion
 from benchmarks.report import machine, saved
 
 RESULTS = Path(__file__).with_name("results.md")
@@ -37,6 +37,7 @@ if __name__ == "__main__":
     with saved(RESULTS):
         print(machine())
         kernels.table()
+        classification.table()
         modes.table()
         motion.table()
         import_time()

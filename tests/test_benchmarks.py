@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from benchmarks import census, kernels, modes, motion
+from benchmarks import census, classification, kernels, modes, motion
 from benchmarks.peers import PACKAGES, check, lambdified
 from benchmarks.report import machine, saved
 from kleinform.paper.examples import example_1
@@ -111,6 +111,14 @@ def test_the_motion_is_timed_and_its_residual_shown(monkeypatch, capsys) -> None
     rows = [line.split("  ")[0] for line in printed.splitlines()]
     assert {"kleinform", "kleinform (NumPy)"} <= set(rows)
     assert "Pinocchio, Newton" in rows or "not installed" in printed
+
+
+def test_classes_are_timed_beside_the_survey(monkeypatch, capsys) -> None:
+    monkeypatch.setattr(classification, "POSES", 100)
+    monkeypatch.setattr(classification, "ROUNDS", 1)
+    classification.table()
+    rows = [line.split("  ")[0] for line in capsys.readouterr().out.splitlines()]
+    assert rows[-4:] == ["survey kernel", "robot.survey", "robot.classify", "all singular"]
 
 
 def test_a_wrong_pose_has_a_residual() -> None:

@@ -25,6 +25,7 @@ from derivations.uncoupled import (
     eliminant,
     joint_rates,
     leg_step,
+    loci,
     orientation,
     rates,
     relations,
@@ -97,6 +98,8 @@ NOTES = {
     "det_J_v": "The paper leaves this determinant without a closed form.",
     "K_i": "The coefficients of a product of two polynomials are a ∗ b, a and b those of both.",
     "angle": "Row k and column l are at powers k − 1 of t and l − 1 of s; ∗ is as for K_i.",
+    "cubic": "The coefficients of a product of two polynomials in c = (x, y, z) are a ∗ b, both at "
+    "1, x, y, z, x², xy, xz, y², yz, z², x³, x²y, x²z, xy², xyz, xz², y³, y²z, yz², z³.",
     "htx_i": "ε_i is 1 for limb 2 and −1 for limb 3.",
     "va_i": "Here the angle of leg i is θ_i at t = 0. For B_2, s stands for t.",
     "limb_acceleration_i": "L_i is the Lie screw of the limb: its screws times their rates, the "
@@ -267,6 +270,8 @@ def _singularity() -> Iterator[Entry]:
     yield from _named(singular.inverse_condition())
     yield from _named([*singular.factors(), *singular.determinants()])
     yield from _named(_limb_first(singular.scales()))
+    yield from _named([*loci.affine_parts("i"), *loci.cubic()])
+    yield from _named([*loci.limb_slopes("i"), *loci.slopes()])
 
 
 def _named(equations: Iterable[Equation]) -> Iterator[Entry]:

@@ -16,7 +16,8 @@ from derivations.uncoupled.velocity import heading
 
 RADIUS = Input("a", a, "m", "radius of the circle through A_1, A_2, A_3")
 POSITION = Input("c", c, "m", "position of the platform's centre C")
-POSE = (RADIUS, POSITION, Input("R", Columns(n1, m1, nu), "1", "rotation of the platform"))
+ROTATION_IN = Input("R", Columns(n1, m1, nu), "1", "rotation of the platform")
+POSE = (RADIUS, POSITION, ROTATION_IN)
 HEADING = Input(
     "heading", heading, "m", "horizontal vector at azimuth q4: (c_x, c_y) off the Z axis"
 )

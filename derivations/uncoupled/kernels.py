@@ -31,9 +31,11 @@ from derivations.uncoupled.fields import (
     POSE,
     POSITION,
     RADIAL,
+    RADIUS,
     RATES_IN,
     RATES_OUT,
     REACH,
+    ROTATION_IN,
     TWIST,
     TWIST_RATE,
     WRENCH_IN,
@@ -43,6 +45,13 @@ from derivations.uncoupled.fields import (
 from derivations.uncoupled.forward_kernels import forward_kernels
 from derivations.uncoupled.geometry import LIMBS, c, n1
 from derivations.uncoupled.joint_rates import joint_rates_graph
+from derivations.uncoupled.loci import (
+    CUBIC,
+    direct_locus_graph,
+    orientation_locus_graph,
+    tilt_shift,
+    tilt_turn,
+)
 from derivations.uncoupled.orientation import (
     ROTATION,
     defect_graph,
@@ -54,7 +63,7 @@ from derivations.uncoupled.orientation import (
     yaw,
 )
 from derivations.uncoupled.rates import forward_velocity_graph, inverse_velocity_graph
-from derivations.uncoupled.singularity import singularity_graph
+from derivations.uncoupled.singularity import singularity_graph, tilt
 from derivations.uncoupled.statics import actuator_forces_graph, platform_wrench_graph
 from derivations.uncoupled.velocity import velocity_graph
 
@@ -368,6 +377,43 @@ def singularity_kernels() -> list[Kernel]:
     ]
 
 
+def locus_kernels() -> list[Kernel]:
+    """Section V, as surfaces."""
+    return [
+        Kernel(
+            "direct_locus",
+            "The cubic in c on which `orientation` vanishes, at one orientation of the platform: "
+            "√3/2 times its value is (p_1 p_2 p_3)² orientation.",
+            "(27)",
+            direct_locus_graph(),
+            (RADIUS, ROTATION_IN),
+            (
+                Output(
+                    "coefficients",
+                    CUBIC,
+                    "m³, m², m, 1",
+                    "at 1, x, y, z, x², xy, xz, y², yz, z², x³, x²y, x²z, xy², xyz, xz², y³, "
+                    "y²z, yz², z³",
+                ),
+                INCIDENCE,
+            ),
+        ),
+        Kernel(
+            "orientation_locus",
+            "The polynomial of degree 12 in Euler parameters on which `orientation` vanishes: "
+            "√3/2 times it is (p_1 p_2 p_3)² orientation.",
+            "(27)",
+            orientation_locus_graph(),
+            POSE,
+            (
+                Output("value", tilt, "m³", "tau1 sigma2 sigma3 + tau2 sigma3 sigma1 + ..."),
+                Output("by_turn", tilt_turn, "m³", "its derivative by a turn of the platform"),
+                Output("by_position", tilt_shift, "m²", "its derivative by the position"),
+            ),
+        ),
+    ]
+
+
 def kernels() -> list[Kernel]:
     """Every kernel, in the order of the paper."""
     return [
@@ -378,4 +424,5 @@ def kernels() -> list[Kernel]:
         *statics_kernels(),
         *acceleration_kernels(),
         *singularity_kernels(),
+        *locus_kernels(),
     ]

@@ -204,6 +204,18 @@ LETTERS: dict[str, Letter | str] = {
     "central_force": Letter("f", sub="C", sup=r"\prime"),
     "forces": "f",
     # singularity
+    "tau_part#": Letter(r"\tau", sup="c"),  # coefficients in c = (x, y, z)
+    "sigma_part#": Letter(r"\sigma", sup="c"),
+    "tau23": Letter(r"\tau", sub="23", sup="c"),
+    "sigma23": Letter(r"\sigma", sub="23", sup="c"),
+    "cubic": Letter(r"\Theta", sup="c"),
+    "tau_turn#": Letter(r"\tau", sup=r"\psi"),  # by a turn of the platform
+    "sigma_turn#": Letter(r"\sigma", sup=r"\psi"),
+    "tilt_turn": Letter(r"\Theta", sup=r"\psi"),
+    "tau_shift#": Letter(r"\tau", sub="c"),  # by the position
+    "sigma_shift#": Letter(r"\sigma", sub="c"),
+    "tilt_shift": Letter(r"\Theta", sub="c"),
+    "lever#": Letter("c", sup=r"\times"),  # u_i × c
     "tilt": r"\Theta",
     "reach": "L",
     "central": Letter("f", sub=r"\mathrm{central}"),

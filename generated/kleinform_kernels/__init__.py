@@ -9,13 +9,13 @@ CHECKSUMS = {
     "_apply.py": 1048383769,
     "_backend.py": 1396773140,
     "_threads.py": 3407211179,
-    "uncoupled/__init__.py": 411468905,
-    "uncoupled/numpy_kernels.py": 3598518522,
-    "uncoupled/compiled_kernels.py": 422091767,
-    "uncoupled/gufuncs.py": 3106200842,
-    "uncoupled/_compiled.pyi": 988906847,
-    "uncoupled/mpmath_kernels.py": 3753336431,
-    "uncoupled/arb_kernels.py": 2707108187,
+    "uncoupled/__init__.py": 826469465,
+    "uncoupled/numpy_kernels.py": 1322091253,
+    "uncoupled/compiled_kernels.py": 676914865,
+    "uncoupled/gufuncs.py": 920413247,
+    "uncoupled/_compiled.pyi": 1404573163,
+    "uncoupled/mpmath_kernels.py": 1802568568,
+    "uncoupled/arb_kernels.py": 2104041391,
 }
 #: CRC-32 of the C sources: an extension that was compiled from others is not used.
-COMPILED = 1615187245
+COMPILED = 379223227

@@ -3,6 +3,7 @@
 from typing import TYPE_CHECKING, Any
 
 from kleinform.backend import Backend, backend, set_threads, threads
+from kleinform.classification import Classes, PoseClass
 from kleinform.errors import (
     BackendError,
     DtypeError,
@@ -35,6 +36,7 @@ __all__ = [
     "AssemblyModesBatch",
     "Backend",
     "BackendError",
+    "Classes",
     "DtypeError",
     "GeneratedCodeError",
     "InputError",
@@ -45,6 +47,7 @@ __all__ = [
     "MissingExtraError",
     "NotARotationError",
     "NotFiniteError",
+    "PoseClass",
     "RollPitchYaw",
     "Screws",
     "ShapeError",

@@ -1,5 +1,9 @@
 """The extension that is compiled from checks_module.c and checks.c."""
 
+import numpy as np
+from numpy.typing import NDArray
+
+def classes(*survey_and_factor: object) -> NDArray[np.uint8] | None: ...
 def none_zero(values: object, scales: object, factor: float) -> bool: ...
 def sized(values: object, smallest: float, largest: float) -> bool: ...
 def sound(

@@ -2,6 +2,7 @@
 #include "checks.h"
 
 #include <math.h>
+#include <string.h>
 
 #include "simd.h"
 
@@ -11,6 +12,8 @@
 
 /* Numbers that are looked at before a loop may end early. */
 #define CHUNK 4096
+/* Poses that are looked at together: if none of them is singular, none is looked at alone. */
+#define FEW 64
 
 INLINE size_t smaller(size_t a, size_t b)
 {
@@ -88,4 +91,87 @@ static int none_zero(
     return rows_none_zero(numbers, rows, scales, step, width, factor);
 }
 
-const struct checks VARIANT_OF(kleinform_checks) = {sized, rotations, none_zero};
+/* Whether the value of this index is finite and zero within its rounding. */
+INLINE unsigned vanishes(struct factor of, size_t index, double factor)
+{
+    const double size = fabs(of.values[index]);
+    return (size <= factor * of.scales[index]) & (size < INFINITY);
+}
+
+/* The same rules as those of codes.by_numpy. */
+static uint8_t class_of(const struct survey *survey, size_t pose, double factor)
+{
+    const double *joints = survey->joints + 6 * pose;
+    const double reach = survey->radius[pose * survey->radius_step] + 2.0 * joints[5];
+    unsigned undirected = 0, parallel = 0, extended = 0;
+    for (size_t i = 0; i < 3; ++i) {
+        const size_t at = 3 * pose + i;
+        const double limb = survey->limb.values[at];
+        const unsigned line_parallel =
+            vanishes(survey->limb, at, factor) | (isnan(survey->extension.values[at]) != 0);
+        const double leg = joints[i] * fabs(limb);
+        undirected |= (leg <= factor * reach * survey->limb.scales[at]) | (isnan(limb) != 0);
+        parallel |= line_parallel;
+        extended |= vanishes(survey->extension, at, factor) & !line_parallel;
+    }
+    undirected |= parallel;
+    const unsigned inverse = parallel | vanishes(survey->central, pose, factor);
+    const unsigned direct = extended | (vanishes(survey->orientation, pose, factor) & !undirected);
+    const unsigned wrist = vanishes(survey->wrist, pose, factor);
+    return (uint8_t)(inverse * INVERSE + direct * DIRECT + wrist * WRIST + undirected * LIMB);
+}
+
+/* Whether all values from an index on are surely not zero; NaN and inf are not sure. */
+INLINE int surely_none_zero(struct factor of, size_t first, size_t count, double factor)
+{
+    const double *values = of.values + first, *scales = of.scales + first;
+    int zero = 0;
+#pragma omp simd reduction(| : zero)
+    for (size_t k = 0; k < count; ++k)
+        zero |= !(fabs(values[k]) > factor * scales[k]);
+    return !zero;
+}
+
+/* Whether no outer leg of poses from an index on has the length zero. */
+INLINE int surely_no_leg_zero(
+    const struct survey *survey, size_t first, size_t count, size_t radius_step, double factor)
+{
+    const double *joints = survey->joints + 6 * first, *radius = survey->radius;
+    const double *limb = survey->limb.values + 3 * first, *scale = survey->limb.scales + 3 * first;
+    int zero = 0;
+#pragma omp simd reduction(| : zero)
+    for (size_t pose = 0; pose < count; ++pose) {
+        const double allowed =
+            factor * (radius[(first + pose) * radius_step] + 2.0 * joints[6 * pose + 5]);
+        for (size_t i = 0; i < 3; ++i) {
+            const double leg = joints[6 * pose + i] * fabs(limb[3 * pose + i]);
+            zero |= !(leg > allowed * scale[3 * pose + i]);
+        }
+    }
+    return !zero;
+}
+
+static int surely_regular(const struct survey *survey, size_t first, size_t count, double factor)
+{
+    return surely_none_zero(survey->limb, 3 * first, 3 * count, factor) &&
+           surely_none_zero(survey->extension, 3 * first, 3 * count, factor) &&
+           surely_none_zero(survey->central, first, count, factor) &&
+           surely_none_zero(survey->wrist, first, count, factor) &&
+           surely_none_zero(survey->orientation, first, count, factor) &&
+           (survey->radius_step ? surely_no_leg_zero(survey, first, count, 1, factor)
+                                : surely_no_leg_zero(survey, first, count, 0, factor));
+}
+
+static void classes(const struct survey *survey, size_t poses, double factor, uint8_t *codes)
+{
+    for (size_t first = 0; first < poses; first += FEW) {
+        const size_t count = smaller(FEW, poses - first);
+        if (surely_regular(survey, first, count, factor))
+            memset(codes + first, 0, count);
+        else
+            for (size_t pose = first; pose < first + count; ++pose)
+                codes[pose] = class_of(survey, pose, factor);
+    }
+}
+
+const struct checks VARIANT_OF(kleinform_checks) = {sized, rotations, none_zero, classes};

@@ -2,7 +2,7 @@
 /* Quick checks of arrays: True where every rule is kept, False where a closer look is needed.
 
    They look at plain float64 arrays alone. Whatever is False here is looked at again with
-   NumPy, which also finds the words for what is wrong. */
+   NumPy, which also finds the words for what is wrong. So is what has no codes, but None. */
 #define PY_SSIZE_T_CLEAN
 #define NPY_NO_DEPRECATED_API NPY_2_0_API_VERSION
 #include <Python.h>
@@ -136,6 +136,51 @@ static PyObject *none_zero(PyObject *module, PyObject *const *args, Py_ssize_t c
     return PyBool_FromLong(good);
 }
 
+/* A factor and its scales, as many as there are poses times `width`; 0 if they are not plain. */
+static int read_factor(
+    PyObject *const *args, npy_intp poses, npy_intp width, struct factor *factor)
+{
+    factor->values = numbers_of(args[0], 0, NULL);
+    factor->scales = numbers_of(args[1], 0, NULL);
+    return factor->values && factor->scales &&
+           PyArray_SIZE((PyArrayObject *)args[0]) == poses * width &&
+           PyArray_SIZE((PyArrayObject *)args[1]) == poses * width;
+}
+
+/* classes(joints, limb, limb_scale, extension, extension_scale, central, central_scale, wrist,
+   wrist_scale, orientation, orientation_scale, radius, factor) */
+static PyObject *classes(PyObject *module, PyObject *const *args, Py_ssize_t count)
+{
+    static const npy_intp trailing[1] = {6};
+    struct survey survey;
+    double factor;
+    (void)module;
+    if (wrong_count(count, 13) || !read_double(args[12], &factor))
+        return NULL;
+    survey.joints = numbers_of(args[0], 1, trailing);
+    survey.radius = numbers_of(args[11], 0, NULL);
+    if (!survey.joints || !survey.radius)
+        Py_RETURN_NONE;
+    PyArrayObject *joints = (PyArrayObject *)args[0];
+    const npy_intp poses = PyArray_SIZE(joints) / 6;
+    const npy_intp radii = PyArray_SIZE((PyArrayObject *)args[11]);
+    survey.radius_step = radii == 1 ? 0 : 1;
+    if ((radii != 1 && radii != poses) || !read_factor(args + 1, poses, 3, &survey.limb) ||
+        !read_factor(args + 3, poses, 3, &survey.extension) ||
+        !read_factor(args + 5, poses, 1, &survey.central) ||
+        !read_factor(args + 7, poses, 1, &survey.wrist) ||
+        !read_factor(args + 9, poses, 1, &survey.orientation))
+        Py_RETURN_NONE;
+    PyObject *codes = PyArray_SimpleNew(PyArray_NDIM(joints) - 1, PyArray_DIMS(joints), NPY_UINT8);
+    if (!codes)
+        return NULL;
+    uint8_t *written = PyArray_DATA((PyArrayObject *)codes);
+    Py_BEGIN_ALLOW_THREADS
+    checks->classes(&survey, (size_t)poses, factor, written);
+    Py_END_ALLOW_THREADS
+    return codes;
+}
+
 static PyMethodDef methods[] = {
     {"sized", (PyCFunction)(void (*)(void))sized, METH_FASTCALL,
      "sized(values, smallest, largest): whether every value is 0 or of a size between them."},
@@ -144,13 +189,16 @@ static PyMethodDef methods[] = {
     {"none_zero", (PyCFunction)(void (*)(void))none_zero, METH_FASTCALL,
      "none_zero(values, scales, factor): whether no value is finite and |value| <= factor scale;"
      " a scale a row, a scale a value, or one for all."},
+    {"classes", (PyCFunction)(void (*)(void))classes, METH_FASTCALL,
+     "classes(joints, limb, limb_scale, extension, extension_scale, central, central_scale, wrist,"
+     " wrist_scale, orientation, orientation_scale, radius, factor): a code for each pose, or None."},
     {NULL, NULL, 0, NULL},
 };
 
 static struct PyModuleDef definition = {
     PyModuleDef_HEAD_INIT,
     .m_name = "_checks",
-    .m_doc = "Quick checks of arrays.",
+    .m_doc = "Quick checks of arrays, and the classes of poses.",
     .m_size = -1,
     .m_methods = methods,
 };

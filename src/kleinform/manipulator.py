@@ -7,6 +7,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from kleinform.classification import Classes, classify
 from kleinform.errors import InputError
 from kleinform.generated import kernels
 from kleinform.joints import TOLERANCE
@@ -615,6 +616,27 @@ class UncoupledManipulator:
         result = kernels.survey(pose.radius, pose.position, pose.rotation)
         pose.screen.blank(*result)
         return Survey(result, self.rounding, pose.screen)
+
+    def classify(
+        self, position: ArrayLike, rotation: RotationLike, *, errors: Errors = "raise"
+    ) -> Classes:
+        """The class of every pose: regular, inverse, direct, combined, wrist, limb.
+
+        Parameters
+        ----------
+        position, rotation, errors
+            As in `inverse_singularity`: no pose is refused for being singular. With "nan" a
+            row that is refused has the class ``PoseClass.INVALID``.
+
+        Returns
+        -------
+        Classes
+            ``.code`` (...), uint8, a sum of `PoseClass`, ``.names()`` and ``.survey``. Of one
+            pose also ``.meaning``, the geometry in words, ``.uncontrollable``, the twists that
+            locked joints leave free, and ``.idle``, the joint rates that move nothing. All but
+            the codes is computed when it is asked for, from the arrays as they are then.
+        """
+        return classify(self, position, rotation, errors)
 
     # Motion -----------------------------------------------------------------------------
 

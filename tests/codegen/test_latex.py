@@ -27,6 +27,7 @@ from derivations.uncoupled import (
     eliminant,
     joint_rates,
     leg_step,
+    loci,
     orientation,
     rates,
     statics,
@@ -58,6 +59,8 @@ GRAPHS = (
     joint_rates.joint_rates_graph,
     statics.platform_wrench_graph,
     statics.actuator_forces_graph,
+    loci.direct_locus_graph,
+    loci.orientation_locus_graph,
 )
 #: Words in formulas, marks below and above, and commands: what is left are letters alone.
 NOT_LETTERS = (

@@ -5,10 +5,10 @@ from __future__ import annotations
 from sympy import ImmutableDenseMatrix, Poly, expand, resultant, symbols
 
 from derivations.algebra.determinants import determinant, laplace, sylvester
-from derivations.algebra.polynomials import Convolution
+from derivations.algebra.polynomials import Convolution, SpatialConvolution, monomials
 from derivations.algebra.vectors import component_symbols, components, matrix
 
-X, Y = symbols("x y")
+X, Y, Z = symbols("x y z")
 LEFT, RIGHT = matrix("left", 3, 2), matrix("right", 2, 3)
 
 
@@ -22,6 +22,19 @@ def test_convolution_is_the_product() -> None:
     assert product.shape == components(product).shape == (4, 4)
     factors = value(component_symbols(LEFT)) * value(component_symbols(RIGHT))
     assert expand(value(components(product)) - factors) == 0
+
+
+def test_spatial_convolution_is_the_product() -> None:
+    assert monomials(2)[:6] == [(0, 0, 0), (1, 0, 0), (0, 1, 0), (0, 0, 1), (2, 0, 0), (1, 1, 0)]
+    powers = [X**i * Y**j * Z**k for i, j, k in monomials(3)]
+    left, right = matrix("left", 4, 1), matrix("right", 10, 1)
+    product = SpatialConvolution(left, right)
+    assert product.shape == components(product).shape == (20, 1)
+    values = [
+        sum(entry * power for entry, power in zip(column, powers, strict=False))
+        for column in (component_symbols(left), component_symbols(right), components(product))
+    ]
+    assert expand(values[0] * values[1] - values[2]) == 0
 
 
 def test_sylvester_s_determinant_is_the_resultant() -> None:

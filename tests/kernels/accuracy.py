@@ -36,6 +36,8 @@ VECTORS = {
     "twist": ((2, 3), 1),
     "twist_rate": ((2, 3), 1),
     "wrench": ((2, 3), 1),
+    "by_turn": ((3,), 0),
+    "by_position": ((3,), 0),
     **{f"limb{limb}": ((6, 2, 3), 2) for limb in (1, 2, 3, 4)},
 }
 Arguments = dict[str, np.ndarray]

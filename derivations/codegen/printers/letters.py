@@ -13,7 +13,7 @@ from dataclasses import dataclass
 __all__ = ["Letter", "Notation", "UnknownLetterError"]
 
 INDEX = "([0-9ijk])"
-COMPONENT = re.compile(r"(.+)_(x|y|z|ox|oy|oz|[1-9]{1,2})")
+COMPONENT = re.compile(r"(.+)_(x|y|z|ox|oy|oz|[1-9][0-9]?)")
 
 
 class UnknownLetterError(LookupError):

@@ -17,6 +17,7 @@ from derivations.uncoupled.identities import (
     klein,
     leg_step,
     lie_screws,
+    loci,
     motion,
     orientation,
     rates,
@@ -48,6 +49,7 @@ SECTIONS = (
     lie_screws,
     singularity,
     degenerate,
+    loci,
     motion,
 )
 

@@ -48,3 +48,5 @@ forward_acceleration: np.ufunc
 inverse_singularity: np.ufunc
 direct_singularity: np.ufunc
 survey: np.ufunc
+direct_locus: np.ufunc
+orientation_locus: np.ufunc

@@ -21,6 +21,7 @@ from kleinform_kernels.uncoupled.numpy_kernels import (
     Circles,
     Closure,
     Cones,
+    DirectLocus,
     DirectSingularity,
     Eliminant,
     Fold,
@@ -37,6 +38,7 @@ from kleinform_kernels.uncoupled.numpy_kernels import (
     LegStep,
     LimbGeometry,
     NewtonStep,
+    OrientationLocus,
     PlatformWrench,
     RotationDefect,
     RotationFromDirections,
@@ -1638,6 +1640,88 @@ def survey(a: ArrayLike, c: ArrayLike, R: ArrayLike) -> Survey:
                 (),
                 (3,),
                 (),
+            ),
+        )
+    )
+
+
+_direct_locus = _compiled.OnePose("direct_locus", DirectLocus)
+
+
+def direct_locus(a: ArrayLike, R: ArrayLike) -> DirectLocus:
+    """The cubic in c on which `orientation` vanishes, at one orientation of the platform: √3/2 times its value is (p_1 p_2 p_3)² orientation.
+
+    Equations (27) of the paper; base frame.
+    328 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    coefficients : array (..., 20)
+        at 1, x, y, z, x², xy, xz, y², yz, z², x³, x²y, x²z, xy², xyz, xz², y³, y²z, yz², z³ [m³, m², m, 1]
+    incidence : array (..., 3)
+        n_i·u_i [1]
+    """
+    return _direct_locus(a, R) or DirectLocus(
+        *apply_compiled(
+            _compiled.direct_locus,
+            (
+                ("a", a, ()),
+                ("R", R, (3, 3)),
+            ),
+            (
+                (20,),
+                (3,),
+            ),
+        )
+    )
+
+
+_orientation_locus = _compiled.OnePose("orientation_locus", OrientationLocus)
+
+
+def orientation_locus(a: ArrayLike, c: ArrayLike, R: ArrayLike) -> OrientationLocus:
+    """The polynomial of degree 12 in Euler parameters on which `orientation` vanishes: √3/2 times it is (p_1 p_2 p_3)² orientation.
+
+    Equations (27) of the paper; base frame.
+    419 operations.
+
+    Parameters
+    ----------
+    a : array (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : array (..., 3)
+        position of the platform's centre C [m]
+    R : array (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    value : array (...)
+        tau1 sigma2 sigma3 + tau2 sigma3 sigma1 + ... [m³]
+    by_turn : array (..., 3)
+        its derivative by a turn of the platform [m³]
+    by_position : array (..., 3)
+        its derivative by the position [m²]
+    """
+    return _orientation_locus(a, c, R) or OrientationLocus(
+        *apply_compiled(
+            _compiled.orientation_locus,
+            (
+                ("a", a, ()),
+                ("c", c, (3,)),
+                ("R", R, (3, 3)),
+            ),
+            (
+                (),
+                (3,),
+                (3,),
             ),
         )
     )

@@ -5840,3 +5840,397 @@ KLEINFORM_API void kleinform_survey(
 {
     survey_body(1, &a, c, R, joints, extension, inverse_determinant, direct_determinant, limb, central, wrist, orientation, limb_scale, central_scale, wrist_scale, extension_scale, orientation_scale);
 }
+
+KLEINFORM_BODY void direct_locus_body(
+    size_t stride,
+    const double *RESTRICT in_a,
+    const double *RESTRICT in_R,
+    double *RESTRICT out_coefficients,
+    double *RESTRICT out_incidence)
+{
+    const double a = in_a[0];
+    const double n1_x = in_R[0];
+    const double m1_x = in_R[stride];
+    const double nu_x = in_R[2 * stride];
+    const double n1_y = in_R[3 * stride];
+    const double m1_y = in_R[4 * stride];
+    const double nu_y = in_R[5 * stride];
+    const double n1_z = in_R[6 * stride];
+    const double m1_z = in_R[7 * stride];
+    const double nu_z = in_R[8 * stride];
+    const double x0 = 0.5*n1_x;
+    const double x1 = SQRT3_2*m1_x;
+    /* direction from C to B_2, n_1 turned by 120° about nu (5) [1] */
+    const double n2_x = -x0 + x1;
+    const double x2 = 0.5*n1_y;
+    const double x3 = SQRT3_2*m1_y;
+    const double n2_y = -x2 + x3;
+    const double x4 = 0.5*m1_x;
+    const double x5 = SQRT3_2*n1_x;
+    /* platform direction normal to n_2 [1] */
+    const double m2_x = -x4 - x5;
+    const double x6 = 0.5*m1_y;
+    const double x7 = SQRT3_2*n1_y;
+    const double m2_y = -x6 - x7;
+    const double x8 = 0.5*m1_z;
+    const double x9 = SQRT3_2*n1_z;
+    const double m2_z = -x8 - x9;
+    /* direction from C to B_3, n_1 turned by 240° about nu (5) [1] */
+    const double n3_x = -x0 - x1;
+    const double n3_y = -x2 - x3;
+    /* platform direction normal to n_3 [1] */
+    const double m3_x = -x4 + x5;
+    const double m3_y = -x6 + x7;
+    const double m3_z = -x8 + x9;
+    /* derivative of tau_1 by the position [1] */
+    const double tau_shift1_x = -m1_x;
+    const double tau_shift1_y = -n1_x*nu_z;
+    const double tau_shift1_z = n1_x*nu_y;
+    /* derivative of sigma_1 by the position [1] */
+    const double sigma_shift1_x = -nu_x;
+    const double sigma_shift1_y = m1_z*n1_x;
+    const double sigma_shift1_z = -m1_y*n1_x;
+    /* tau_1, its coefficients in c [m, 1] */
+    const double tau_part1_1 = a*m1_x;
+    /* sigma_1, its coefficients in c [m, 1] */
+    const double sigma_part1_1 = a*nu_x;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p2 = SQRT3_2*n2_y - 0.5*n2_x;
+    const double x10 = SQRT3_2*m2_y;
+    const double x11 = nu_z*p2;
+    /* derivative of tau_2 by the position [1] */
+    const double tau_shift2_x = SQRT3_2*x11 - 0.25*m2_x + 0.5*x10;
+    const double x12 = -0.5*m2_x + x10;
+    const double tau_shift2_y = -SQRT3_2*x12 + 0.5*x11;
+    const double x13 = 0.5*nu_y;
+    const double x14 = SQRT3_2*nu_x;
+    const double tau_shift2_z = p2*(-x13 - x14);
+    const double x15 = 0.25*nu_x;
+    const double x16 = SQRT3_2*x13;
+    const double x17 = m2_z*p2;
+    /* derivative of sigma_2 by the position [1] */
+    const double sigma_shift2_x = -SQRT3_2*x17 - x15 + x16;
+    const double x18 = 0.5*nu_x;
+    const double x19 = SQRT3_2*nu_y;
+    const double x20 = -x18 + x19;
+    const double sigma_shift2_y = -SQRT3_2*x20 - 0.5*x17;
+    const double sigma_shift2_z = p2*(SQRT3_2*m2_x + 0.5*m2_y);
+    /* tau_2, its coefficients in c [m, 1] */
+    const double tau_part2_1 = a*x12;
+    /* sigma_2, its coefficients in c [m, 1] */
+    const double sigma_part2_1 = a*x20;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p3 = -SQRT3_2*n3_y - 0.5*n3_x;
+    const double x21 = SQRT3_2*m3_y;
+    /* derivative of tau_3 by the position [1] */
+    const double tau_shift3_x = -SQRT3_2*nu_z*p3 - 0.25*m3_x - 0.5*x21;
+    const double x22 = 0.5*m3_x + x21;
+    const double tau_shift3_y = -SQRT3_2*x22 + 0.5*nu_z*p3;
+    const double tau_shift3_z = p3*(-x13 + x14);
+    /* derivative of sigma_3 by the position [1] */
+    const double sigma_shift3_x = SQRT3_2*m3_z*p3 - x15 - x16;
+    const double x23 = x18 + x19;
+    const double sigma_shift3_y = -SQRT3_2*x23 - 0.5*m3_z*p3;
+    const double sigma_shift3_z = p3*(-SQRT3_2*m3_x + 0.5*m3_y);
+    /* tau_3, its coefficients in c [m, 1] */
+    const double tau_part3_1 = -a*x22;
+    /* sigma_3, its coefficients in c [m, 1] */
+    const double sigma_part3_1 = -a*x23;
+    /* sigma_2 sigma_3, its coefficients in c [m², m, 1] */
+    const double sigma23_1 = sigma_part2_1*sigma_part3_1;
+    const double sigma23_2 = sigma_part2_1*sigma_shift3_x + sigma_part3_1*sigma_shift2_x;
+    const double sigma23_3 = sigma_part2_1*sigma_shift3_y + sigma_part3_1*sigma_shift2_y;
+    const double sigma23_4 = sigma_part2_1*sigma_shift3_z + sigma_part3_1*sigma_shift2_z;
+    const double sigma23_5 = sigma_shift2_x*sigma_shift3_x;
+    const double sigma23_6 = sigma_shift2_x*sigma_shift3_y + sigma_shift2_y*sigma_shift3_x;
+    const double sigma23_7 = sigma_shift2_x*sigma_shift3_z + sigma_shift2_z*sigma_shift3_x;
+    const double sigma23_8 = sigma_shift2_y*sigma_shift3_y;
+    const double sigma23_9 = sigma_shift2_y*sigma_shift3_z + sigma_shift2_z*sigma_shift3_y;
+    const double sigma23_10 = sigma_shift2_z*sigma_shift3_z;
+    /* tau_2 sigma_3 + tau_3 sigma_2, its coefficients in c [m², m, 1] */
+    const double tau23_1 = sigma_part2_1*tau_part3_1 + sigma_part3_1*tau_part2_1;
+    const double tau23_2 = sigma_part2_1*tau_shift3_x + sigma_part3_1*tau_shift2_x + sigma_shift2_x*tau_part3_1 + sigma_shift3_x*tau_part2_1;
+    const double tau23_3 = sigma_part2_1*tau_shift3_y + sigma_part3_1*tau_shift2_y + sigma_shift2_y*tau_part3_1 + sigma_shift3_y*tau_part2_1;
+    const double tau23_4 = sigma_part2_1*tau_shift3_z + sigma_part3_1*tau_shift2_z + sigma_shift2_z*tau_part3_1 + sigma_shift3_z*tau_part2_1;
+    const double tau23_5 = sigma_shift2_x*tau_shift3_x + sigma_shift3_x*tau_shift2_x;
+    const double tau23_6 = sigma_shift2_x*tau_shift3_y + sigma_shift2_y*tau_shift3_x + sigma_shift3_x*tau_shift2_y + sigma_shift3_y*tau_shift2_x;
+    const double tau23_7 = sigma_shift2_x*tau_shift3_z + sigma_shift2_z*tau_shift3_x + sigma_shift3_x*tau_shift2_z + sigma_shift3_z*tau_shift2_x;
+    const double tau23_8 = sigma_shift2_y*tau_shift3_y + sigma_shift3_y*tau_shift2_y;
+    const double tau23_9 = sigma_shift2_y*tau_shift3_z + sigma_shift2_z*tau_shift3_y + sigma_shift3_y*tau_shift2_z + sigma_shift3_z*tau_shift2_y;
+    const double tau23_10 = sigma_shift2_z*tau_shift3_z + sigma_shift3_z*tau_shift2_z;
+    /* cubic of direct singularities at one orientation, its coefficients in c (27) [m³, m², m, 1] */
+    const double cubic_1 = sigma23_1*tau_part1_1 + sigma_part1_1*tau23_1;
+    const double cubic_2 = sigma23_1*tau_shift1_x + sigma23_2*tau_part1_1 + sigma_part1_1*tau23_2 + sigma_shift1_x*tau23_1;
+    const double cubic_3 = sigma23_1*tau_shift1_y + sigma23_3*tau_part1_1 + sigma_part1_1*tau23_3 + sigma_shift1_y*tau23_1;
+    const double cubic_4 = sigma23_1*tau_shift1_z + sigma23_4*tau_part1_1 + sigma_part1_1*tau23_4 + sigma_shift1_z*tau23_1;
+    const double cubic_5 = sigma23_2*tau_shift1_x + sigma23_5*tau_part1_1 + sigma_part1_1*tau23_5 + sigma_shift1_x*tau23_2;
+    const double cubic_6 = sigma23_2*tau_shift1_y + sigma23_3*tau_shift1_x + sigma23_6*tau_part1_1 + sigma_part1_1*tau23_6 + sigma_shift1_x*tau23_3 + sigma_shift1_y*tau23_2;
+    const double cubic_7 = sigma23_2*tau_shift1_z + sigma23_4*tau_shift1_x + sigma23_7*tau_part1_1 + sigma_part1_1*tau23_7 + sigma_shift1_x*tau23_4 + sigma_shift1_z*tau23_2;
+    const double cubic_8 = sigma23_3*tau_shift1_y + sigma23_8*tau_part1_1 + sigma_part1_1*tau23_8 + sigma_shift1_y*tau23_3;
+    const double cubic_9 = sigma23_3*tau_shift1_z + sigma23_4*tau_shift1_y + sigma23_9*tau_part1_1 + sigma_part1_1*tau23_9 + sigma_shift1_y*tau23_4 + sigma_shift1_z*tau23_3;
+    const double cubic_10 = sigma23_10*tau_part1_1 + sigma23_4*tau_shift1_z + sigma_part1_1*tau23_10 + sigma_shift1_z*tau23_4;
+    const double cubic_11 = sigma23_5*tau_shift1_x + sigma_shift1_x*tau23_5;
+    const double cubic_12 = sigma23_5*tau_shift1_y + sigma23_6*tau_shift1_x + sigma_shift1_x*tau23_6 + sigma_shift1_y*tau23_5;
+    const double cubic_13 = sigma23_5*tau_shift1_z + sigma23_7*tau_shift1_x + sigma_shift1_x*tau23_7 + sigma_shift1_z*tau23_5;
+    const double cubic_14 = sigma23_6*tau_shift1_y + sigma23_8*tau_shift1_x + sigma_shift1_x*tau23_8 + sigma_shift1_y*tau23_6;
+    const double cubic_15 = sigma23_6*tau_shift1_z + sigma23_7*tau_shift1_y + sigma23_9*tau_shift1_x + sigma_shift1_x*tau23_9 + sigma_shift1_y*tau23_7 + sigma_shift1_z*tau23_6;
+    const double cubic_16 = sigma23_10*tau_shift1_x + sigma23_7*tau_shift1_z + sigma_shift1_x*tau23_10 + sigma_shift1_z*tau23_7;
+    const double cubic_17 = sigma23_8*tau_shift1_y + sigma_shift1_y*tau23_8;
+    const double cubic_18 = sigma23_8*tau_shift1_z + sigma23_9*tau_shift1_y + sigma_shift1_y*tau23_9 + sigma_shift1_z*tau23_8;
+    const double cubic_19 = sigma23_10*tau_shift1_y + sigma23_9*tau_shift1_z + sigma_shift1_y*tau23_10 + sigma_shift1_z*tau23_9;
+    const double cubic_20 = sigma23_10*tau_shift1_z + sigma_shift1_z*tau23_10;
+    out_coefficients[0] = cubic_1;
+    out_coefficients[stride] = cubic_2;
+    out_coefficients[2 * stride] = cubic_3;
+    out_coefficients[3 * stride] = cubic_4;
+    out_coefficients[4 * stride] = cubic_5;
+    out_coefficients[5 * stride] = cubic_6;
+    out_coefficients[6 * stride] = cubic_7;
+    out_coefficients[7 * stride] = cubic_8;
+    out_coefficients[8 * stride] = cubic_9;
+    out_coefficients[9 * stride] = cubic_10;
+    out_coefficients[10 * stride] = cubic_11;
+    out_coefficients[11 * stride] = cubic_12;
+    out_coefficients[12 * stride] = cubic_13;
+    out_coefficients[13 * stride] = cubic_14;
+    out_coefficients[14 * stride] = cubic_15;
+    out_coefficients[15 * stride] = cubic_16;
+    out_coefficients[16 * stride] = cubic_17;
+    out_coefficients[17 * stride] = cubic_18;
+    out_coefficients[18 * stride] = cubic_19;
+    out_coefficients[19 * stride] = cubic_20;
+    out_incidence[0] = n1_x;
+    out_incidence[stride] = p2;
+    out_incidence[2 * stride] = p3;
+}
+
+KLEINFORM_API void kleinform_direct_locus(
+    double a,
+    const double R[9],
+    double coefficients[20],
+    double incidence[3])
+{
+    direct_locus_body(1, &a, R, coefficients, incidence);
+}
+
+KLEINFORM_BODY void orientation_locus_body(
+    size_t stride,
+    const double *RESTRICT in_a,
+    const double *RESTRICT in_c,
+    const double *RESTRICT in_R,
+    double *RESTRICT out_value,
+    double *RESTRICT out_by_turn,
+    double *RESTRICT out_by_position)
+{
+    const double a = in_a[0];
+    const double c_x = in_c[0];
+    const double c_y = in_c[stride];
+    const double c_z = in_c[2 * stride];
+    const double n1_x = in_R[0];
+    const double m1_x = in_R[stride];
+    const double nu_x = in_R[2 * stride];
+    const double n1_y = in_R[3 * stride];
+    const double m1_y = in_R[4 * stride];
+    const double nu_y = in_R[5 * stride];
+    const double n1_z = in_R[6 * stride];
+    const double m1_z = in_R[7 * stride];
+    const double nu_z = in_R[8 * stride];
+    const double x0 = 0.5*n1_x;
+    const double x1 = SQRT3_2*m1_x;
+    /* direction from C to B_2, n_1 turned by 120° about nu (5) [1] */
+    const double n2_x = -x0 + x1;
+    const double x2 = 0.5*n1_y;
+    const double x3 = SQRT3_2*m1_y;
+    const double n2_y = -x2 + x3;
+    const double x4 = 0.5*n1_z;
+    const double x5 = SQRT3_2*m1_z;
+    const double n2_z = -x4 + x5;
+    const double x6 = 0.5*m1_x;
+    const double x7 = SQRT3_2*n1_x;
+    /* platform direction normal to n_2 [1] */
+    const double m2_x = -x6 - x7;
+    const double x8 = 0.5*m1_y;
+    const double x9 = SQRT3_2*n1_y;
+    const double m2_y = -x8 - x9;
+    const double x10 = 0.5*m1_z;
+    const double x11 = SQRT3_2*n1_z;
+    const double m2_z = -x10 - x11;
+    /* direction from C to B_3, n_1 turned by 240° about nu (5) [1] */
+    const double n3_x = -x0 - x1;
+    const double n3_y = -x2 - x3;
+    const double n3_z = -x4 - x5;
+    /* platform direction normal to n_3 [1] */
+    const double m3_x = -x6 + x7;
+    const double m3_y = -x8 + x9;
+    const double m3_z = -x10 + x11;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h1 = a - c_x;
+    const double x12 = c_y*n1_x;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt1 = h1*n1_y + x12;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz1 = c_z*n1_x + h1*n1_z;
+    const double x13 = SQRT3_2*c_y;
+    const double x14 = a + 0.5*c_x;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h2 = -x13 + x14;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p2 = SQRT3_2*n2_y - 0.5*n2_x;
+    const double x15 = SQRT3_2*n2_x + 0.5*n2_y;
+    const double x16 = 0.5*c_y;
+    const double x17 = SQRT3_2*c_x;
+    const double x18 = -x16 - x17;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt2 = -h2*x15 + p2*x18;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz2 = c_z*p2 + h2*n2_z;
+    /* distance of C from the plane of the limb (4) [m] */
+    const double h3 = x13 + x14;
+    /* cosine of the angle between n_i and u_i (4) [1] */
+    const double p3 = -SQRT3_2*n3_y - 0.5*n3_x;
+    const double x19 = SQRT3_2*n3_x - 0.5*n3_y;
+    const double x20 = -x16 + x17;
+    /* p_i times the horizontal part of the leg [m] */
+    const double gt3 = h3*x19 + p3*x20;
+    /* p_i times the vertical part of the leg [m] */
+    const double gz3 = c_z*p3 + h3*n3_z;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau1 = -gt1*nu_z + gz1*nu_y;
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma1 = gt1*m1_z - gz1*m1_y;
+    const double x21 = 0.5*nu_y;
+    const double x22 = SQRT3_2*nu_x;
+    const double x23 = x21 + x22;
+    const double x24 = -x23;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau2 = -gt2*nu_z + gz2*x24;
+    const double x25 = 0.5*m2_y;
+    const double x26 = SQRT3_2*m2_x + x25;
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma2 = gt2*m2_z + gz2*x26;
+    const double x27 = -x21 + x22;
+    /* p_i² times the part of B_iD_i in the platform's plane [m] */
+    const double tau3 = -gt3*nu_z + gz3*x27;
+    const double x28 = 0.5*m3_y;
+    const double x29 = SQRT3_2*m3_x - x28;
+    /* p_i² times the part of B_iD_i normal to the platform [m] */
+    const double sigma3 = gt3*m3_z - gz3*x29;
+    const double x30 = sigma2*tau3;
+    const double x31 = sigma3*tau2;
+    const double x32 = sigma3*tau1;
+    /* the three lines S_i in the platform frame (27) [m³] */
+    const double tilt = sigma1*x30 + sigma1*x31 + sigma2*x32;
+    /* derivative of tau_1 by the position [1] */
+    const double tau_shift1_x = -m1_x;
+    const double tau_shift1_y = -n1_x*nu_z;
+    const double tau_shift1_z = n1_x*nu_y;
+    /* derivative of sigma_1 by the position [1] */
+    const double sigma_shift1_x = -nu_x;
+    const double sigma_shift1_y = m1_z*n1_x;
+    const double sigma_shift1_z = -m1_y*n1_x;
+    /* moment about O of a unit force along u_1 at C [m] */
+    const double lever1_y = -c_z;
+    /* derivative of tau_1 by a turn of the platform [m] */
+    const double tau_turn1_x = -n1_x*(c_y*nu_y - lever1_y*nu_z);
+    const double x33 = -c_y*nu_z - lever1_y*nu_y;
+    const double tau_turn1_y = h1*m1_z + n1_z*x33 + nu_x*x12;
+    const double tau_turn1_z = -h1*m1_y - lever1_y*n1_x*nu_x - n1_y*x33;
+    /* derivative of sigma_1 by a turn of the platform [m] */
+    const double sigma_turn1_x = n1_x*(c_y*m1_y - lever1_y*m1_z);
+    const double x34 = c_y*m1_z + lever1_y*m1_y;
+    const double sigma_turn1_y = h1*nu_z - m1_x*x12 + n1_z*x34;
+    const double sigma_turn1_z = -h1*nu_y + lever1_y*m1_x*n1_x - n1_y*x34;
+    const double x35 = nu_z*p2;
+    /* derivative of tau_2 by the position [1] */
+    const double tau_shift2_x = SQRT3_2*x25 + SQRT3_2*x35 - 0.25*m2_x;
+    const double tau_shift2_y = SQRT3_2*(-SQRT3_2*m2_y + 0.5*m2_x) + 0.5*x35;
+    const double tau_shift2_z = p2*x24;
+    const double x36 = 0.25*nu_x;
+    const double x37 = SQRT3_2*x21;
+    const double x38 = m2_z*p2;
+    /* derivative of sigma_2 by the position [1] */
+    const double sigma_shift2_x = -SQRT3_2*x38 - x36 + x37;
+    const double x39 = SQRT3_2*nu_y;
+    const double sigma_shift2_y = SQRT3_2*(0.5*nu_x - x39) - 0.5*x38;
+    const double sigma_shift2_z = p2*x26;
+    const double x40 = SQRT3_2*c_z;
+    /* moment about O of a unit force along u_2 at C [m] */
+    const double lever2_x = x40;
+    const double x41 = 0.5*c_z;
+    const double lever2_y = x41;
+    const double lever2_z = x18;
+    const double x42 = h2*m2_z;
+    const double x43 = -lever2_x*nu_x - lever2_y*nu_y - lever2_z*nu_z;
+    const double x44 = n2_z*x43;
+    /* derivative of tau_2 by a turn of the platform [m] */
+    const double tau_turn2_x = -SQRT3_2*x42 - SQRT3_2*x44 - p2*(-lever2_y*nu_z + lever2_z*nu_y);
+    const double tau_turn2_y = -p2*(lever2_x*nu_z - lever2_z*nu_x) - 0.5*x42 - 0.5*x44;
+    const double tau_turn2_z = h2*x26 - p2*(-lever2_x*nu_y + lever2_y*nu_x) + x15*x43;
+    const double x45 = h2*nu_z;
+    const double x46 = lever2_x*m2_x + lever2_y*m2_y + lever2_z*m2_z;
+    const double x47 = n2_z*x46;
+    /* derivative of sigma_2 by a turn of the platform [m] */
+    const double sigma_turn2_x = -SQRT3_2*x45 - SQRT3_2*x47 + p2*(-lever2_y*m2_z + lever2_z*m2_y);
+    const double sigma_turn2_y = p2*(lever2_x*m2_z - lever2_z*m2_x) - 0.5*x45 - 0.5*x47;
+    const double sigma_turn2_z = h2*x23 + p2*(-lever2_x*m2_y + lever2_y*m2_x) + x15*x46;
+    /* derivative of tau_3 by the position [1] */
+    const double tau_shift3_x = -SQRT3_2*nu_z*p3 - SQRT3_2*x28 - 0.25*m3_x;
+    const double tau_shift3_y = -SQRT3_2*(SQRT3_2*m3_y + 0.5*m3_x) + 0.5*nu_z*p3;
+    const double tau_shift3_z = p3*x27;
+    /* derivative of sigma_3 by the position [1] */
+    const double sigma_shift3_x = SQRT3_2*m3_z*p3 - x36 - x37;
+    const double sigma_shift3_y = -SQRT3_2*(0.5*nu_x + x39) - 0.5*m3_z*p3;
+    const double x48 = -x29;
+    const double sigma_shift3_z = p3*x48;
+    /* moment about O of a unit force along u_3 at C [m] */
+    const double lever3_x = -x40;
+    const double lever3_y = x41;
+    const double lever3_z = x20;
+    const double x49 = h3*m3_z;
+    const double x50 = -lever3_x*nu_x - lever3_y*nu_y - lever3_z*nu_z;
+    const double x51 = n3_z*x50;
+    /* derivative of tau_3 by a turn of the platform [m] */
+    const double tau_turn3_x = SQRT3_2*x49 + SQRT3_2*x51 - p3*(-lever3_y*nu_z + lever3_z*nu_y);
+    const double tau_turn3_y = -p3*(lever3_x*nu_z - lever3_z*nu_x) - 0.5*x49 - 0.5*x51;
+    const double x52 = -x19;
+    const double tau_turn3_z = h3*x48 - p3*(-lever3_x*nu_y + lever3_y*nu_x) + x50*x52;
+    const double x53 = h3*nu_z;
+    const double x54 = lever3_x*m3_x + lever3_y*m3_y + lever3_z*m3_z;
+    const double x55 = n3_z*x54;
+    /* derivative of sigma_3 by a turn of the platform [m] */
+    const double sigma_turn3_x = SQRT3_2*x53 + SQRT3_2*x55 + p3*(-lever3_y*m3_z + lever3_z*m3_y);
+    const double sigma_turn3_y = p3*(lever3_x*m3_z - lever3_z*m3_x) - 0.5*x53 - 0.5*x55;
+    const double sigma_turn3_z = -h3*x27 + p3*(-lever3_x*m3_y + lever3_y*m3_x) + x52*x54;
+    const double x56 = sigma1*sigma2;
+    const double x57 = sigma1*sigma3;
+    const double x58 = sigma2*sigma3;
+    const double x59 = x30 + x31;
+    const double x60 = sigma1*tau3 + x32;
+    const double x61 = sigma1*tau2 + sigma2*tau1;
+    /* derivative of theta by a turn of the platform (27) [m³] */
+    const double tilt_turn_x = sigma_turn1_x*x59 + sigma_turn2_x*x60 + sigma_turn3_x*x61 + tau_turn1_x*x58 + tau_turn2_x*x57 + tau_turn3_x*x56;
+    const double tilt_turn_y = sigma_turn1_y*x59 + sigma_turn2_y*x60 + sigma_turn3_y*x61 + tau_turn1_y*x58 + tau_turn2_y*x57 + tau_turn3_y*x56;
+    const double tilt_turn_z = sigma_turn1_z*x59 + sigma_turn2_z*x60 + sigma_turn3_z*x61 + tau_turn1_z*x58 + tau_turn2_z*x57 + tau_turn3_z*x56;
+    /* derivative of theta by the position (27) [m²] */
+    const double tilt_shift_x = sigma_shift1_x*x59 + sigma_shift2_x*x60 + sigma_shift3_x*x61 + tau_shift1_x*x58 + tau_shift2_x*x57 + tau_shift3_x*x56;
+    const double tilt_shift_y = sigma_shift1_y*x59 + sigma_shift2_y*x60 + sigma_shift3_y*x61 + tau_shift1_y*x58 + tau_shift2_y*x57 + tau_shift3_y*x56;
+    const double tilt_shift_z = sigma_shift1_z*x59 + sigma_shift2_z*x60 + sigma_shift3_z*x61 + tau_shift1_z*x58 + tau_shift2_z*x57 + tau_shift3_z*x56;
+    out_value[0] = tilt;
+    out_by_turn[0] = tilt_turn_x;
+    out_by_turn[stride] = tilt_turn_y;
+    out_by_turn[2 * stride] = tilt_turn_z;
+    out_by_position[0] = tilt_shift_x;
+    out_by_position[stride] = tilt_shift_y;
+    out_by_position[2 * stride] = tilt_shift_z;
+}
+
+KLEINFORM_API void kleinform_orientation_locus(
+    double a,
+    const double c[3],
+    const double R[9],
+    double *value,
+    double by_turn[3],
+    double by_position[3])
+{
+    orientation_locus_body(1, &a, c, R, value, by_turn, by_position);
+}

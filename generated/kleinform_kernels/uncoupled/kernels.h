@@ -667,6 +667,34 @@ KLEINFORM_API void kleinform_survey(
     double extension_scale[3],
     double *orientation_scale);
 
+/* The cubic in c on which `orientation` vanishes, at one orientation of the platform: √3/2 times its value is (p_1 p_2 p_3)² orientation.
+   Equations (27) of the paper; base frame.
+   in  a: radius of the circle through A_1, A_2, A_3 [m]
+   in  R[3][3]: rotation of the platform [1]
+   out coefficients[20]: at 1, x, y, z, x², xy, xz, y², yz, z², x³, x²y, x²z, xy², xyz, xz², y³, y²z, yz², z³ [m³, m², m, 1]
+   out incidence[3]: n_i·u_i [1] */
+KLEINFORM_API void kleinform_direct_locus(
+    double a,
+    const double R[9],
+    double coefficients[20],
+    double incidence[3]);
+
+/* The polynomial of degree 12 in Euler parameters on which `orientation` vanishes: √3/2 times it is (p_1 p_2 p_3)² orientation.
+   Equations (27) of the paper; base frame.
+   in  a: radius of the circle through A_1, A_2, A_3 [m]
+   in  c[3]: position of the platform's centre C [m]
+   in  R[3][3]: rotation of the platform [1]
+   out value: tau1 sigma2 sigma3 + tau2 sigma3 sigma1 + ... [m³]
+   out by_turn[3]: its derivative by a turn of the platform [m³]
+   out by_position[3]: its derivative by the position [m²] */
+KLEINFORM_API void kleinform_orientation_locus(
+    double a,
+    const double c[3],
+    const double R[9],
+    double *value,
+    double by_turn[3],
+    double by_position[3]);
+
 #ifdef __cplusplus
 }
 #endif

@@ -381,6 +381,30 @@ static void survey_lanes(const double *RESTRICT in, double *RESTRICT out)
         survey_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, in + 4 * LANES + lane, out + 0 * LANES + lane, out + 6 * LANES + lane, out + 9 * LANES + lane, out + 10 * LANES + lane, out + 11 * LANES + lane, out + 14 * LANES + lane, out + 15 * LANES + lane, out + 16 * LANES + lane, out + 17 * LANES + lane, out + 20 * LANES + lane, out + 21 * LANES + lane, out + 22 * LANES + lane, out + 25 * LANES + lane);
 }
 
+static void direct_locus_one(const double *RESTRICT in, double *RESTRICT out)
+{
+    direct_locus_body(1, in + 0, in + 1, out + 0, out + 20);
+}
+
+static void direct_locus_lanes(const double *RESTRICT in, double *RESTRICT out)
+{
+    SIMD
+    for (size_t lane = 0; lane < LANES; ++lane)
+        direct_locus_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, out + 0 * LANES + lane, out + 20 * LANES + lane);
+}
+
+static void orientation_locus_one(const double *RESTRICT in, double *RESTRICT out)
+{
+    orientation_locus_body(1, in + 0, in + 1, in + 4, out + 0, out + 1, out + 4);
+}
+
+static void orientation_locus_lanes(const double *RESTRICT in, double *RESTRICT out)
+{
+    SIMD
+    for (size_t lane = 0; lane < LANES; ++lane)
+        orientation_locus_body(LANES, in + 0 * LANES + lane, in + 1 * LANES + lane, in + 4 * LANES + lane, out + 0 * LANES + lane, out + 1 * LANES + lane, out + 4 * LANES + lane);
+}
+
 static const struct kernel kernels[] = {
     {"inverse_displacement", "(),(3),(3,3)->(6),(3),(3,3),(3),()",
      "Joint values from the pose.",
@@ -537,8 +561,18 @@ static const struct kernel kernels[] = {
      3, 13, 13, 26,
      {{0, 0}, {3, 0}, {3, 3}, {6, 0}, {3, 0}, {0, 0}, {0, 0}, {3, 0}, {0, 0}, {0, 0}, {0, 0}, {3, 0}, {0, 0}, {0, 0}, {3, 0}, {0, 0}},
      survey_one, survey_lanes},
+    {"direct_locus", "(),(3,3)->(20),(3)",
+     "The cubic in c on which `orientation` vanishes, at one orientation of the platform: √3/2 times its value is (p_1 p_2 p_3)² orientation.",
+     2, 2, 10, 23,
+     {{0, 0}, {3, 3}, {20, 0}, {3, 0}},
+     direct_locus_one, direct_locus_lanes},
+    {"orientation_locus", "(),(3),(3,3)->(),(3),(3)",
+     "The polynomial of degree 12 in Euler parameters on which `orientation` vanishes: √3/2 times it is (p_1 p_2 p_3)² orientation.",
+     3, 3, 13, 7,
+     {{0, 0}, {3, 0}, {3, 3}, {0, 0}, {3, 0}, {3, 0}},
+     orientation_locus_one, orientation_locus_lanes},
 };
 
 const struct table VARIANT_OF(kleinform_table) = {
-    31, 1615187245UL, kernels,
+    33, 379223227UL, kernels,
 };

@@ -5441,3 +5441,386 @@ def survey(a: Nested, c: Nested, R: Nested) -> Survey:
         [e_scale1, e_scale2, e_scale3],
         orientation_scale,
     )
+
+
+class DirectLocus(NamedTuple):
+    """What `direct_locus` returns."""
+
+    coefficients: Nested
+    incidence: Nested
+
+
+def direct_locus(a: Nested, R: Nested) -> DirectLocus:
+    """The cubic in c on which `orientation` vanishes, at one orientation of the platform: √3/2 times its value is (p_1 p_2 p_3)² orientation.
+
+    Equations (27) of the paper; base frame.
+    328 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    coefficients : nested list (..., 20)
+        at 1, x, y, z, x², xy, xz, y², yz, z², x³, x²y, x²z, xy², xyz, xz², y³, y²z, yz², z³ [m³, m², m, 1]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    R = _exact(R)
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*m1_x
+    x5 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x4 - x5
+    x6 = mpf(1)/2*m1_y
+    x7 = SQRT3_2*n1_y
+    m2_y = -x6 - x7
+    x8 = mpf(1)/2*m1_z
+    x9 = SQRT3_2*n1_z
+    m2_z = -x8 - x9
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    # platform direction normal to n_3 [1]
+    m3_x = -x4 + x5
+    m3_y = -x6 + x7
+    m3_z = -x8 + x9
+    # derivative of tau_1 by the position [1]
+    tau_shift1_x = -m1_x
+    tau_shift1_y = -n1_x*nu_z
+    tau_shift1_z = n1_x*nu_y
+    # derivative of sigma_1 by the position [1]
+    sigma_shift1_x = -nu_x
+    sigma_shift1_y = m1_z*n1_x
+    sigma_shift1_z = -m1_y*n1_x
+    # tau_1, its coefficients in c [m, 1]
+    tau_part1_1 = a*m1_x
+    # sigma_1, its coefficients in c [m, 1]
+    sigma_part1_1 = a*nu_x
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    x10 = SQRT3_2*m2_y
+    x11 = nu_z*p2
+    # derivative of tau_2 by the position [1]
+    tau_shift2_x = SQRT3_2*x11 - mpf(1)/4*m2_x + mpf(1)/2*x10
+    x12 = -mpf(1)/2*m2_x + x10
+    tau_shift2_y = -SQRT3_2*x12 + mpf(1)/2*x11
+    x13 = mpf(1)/2*nu_y
+    x14 = SQRT3_2*nu_x
+    tau_shift2_z = p2*(-x13 - x14)
+    x15 = mpf(1)/4*nu_x
+    x16 = SQRT3_2*x13
+    x17 = m2_z*p2
+    # derivative of sigma_2 by the position [1]
+    sigma_shift2_x = -SQRT3_2*x17 - x15 + x16
+    x18 = mpf(1)/2*nu_x
+    x19 = SQRT3_2*nu_y
+    x20 = -x18 + x19
+    sigma_shift2_y = -SQRT3_2*x20 - mpf(1)/2*x17
+    sigma_shift2_z = p2*(SQRT3_2*m2_x + mpf(1)/2*m2_y)
+    # tau_2, its coefficients in c [m, 1]
+    tau_part2_1 = a*x12
+    # sigma_2, its coefficients in c [m, 1]
+    sigma_part2_1 = a*x20
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    x21 = SQRT3_2*m3_y
+    # derivative of tau_3 by the position [1]
+    tau_shift3_x = -SQRT3_2*nu_z*p3 - mpf(1)/4*m3_x - mpf(1)/2*x21
+    x22 = mpf(1)/2*m3_x + x21
+    tau_shift3_y = -SQRT3_2*x22 + mpf(1)/2*nu_z*p3
+    tau_shift3_z = p3*(-x13 + x14)
+    # derivative of sigma_3 by the position [1]
+    sigma_shift3_x = SQRT3_2*m3_z*p3 - x15 - x16
+    x23 = x18 + x19
+    sigma_shift3_y = -SQRT3_2*x23 - mpf(1)/2*m3_z*p3
+    sigma_shift3_z = p3*(-SQRT3_2*m3_x + mpf(1)/2*m3_y)
+    # tau_3, its coefficients in c [m, 1]
+    tau_part3_1 = -a*x22
+    # sigma_3, its coefficients in c [m, 1]
+    sigma_part3_1 = -a*x23
+    # sigma_2 sigma_3, its coefficients in c [m², m, 1]
+    sigma23_1 = sigma_part2_1*sigma_part3_1
+    sigma23_2 = sigma_part2_1*sigma_shift3_x + sigma_part3_1*sigma_shift2_x
+    sigma23_3 = sigma_part2_1*sigma_shift3_y + sigma_part3_1*sigma_shift2_y
+    sigma23_4 = sigma_part2_1*sigma_shift3_z + sigma_part3_1*sigma_shift2_z
+    sigma23_5 = sigma_shift2_x*sigma_shift3_x
+    sigma23_6 = sigma_shift2_x*sigma_shift3_y + sigma_shift2_y*sigma_shift3_x
+    sigma23_7 = sigma_shift2_x*sigma_shift3_z + sigma_shift2_z*sigma_shift3_x
+    sigma23_8 = sigma_shift2_y*sigma_shift3_y
+    sigma23_9 = sigma_shift2_y*sigma_shift3_z + sigma_shift2_z*sigma_shift3_y
+    sigma23_10 = sigma_shift2_z*sigma_shift3_z
+    # tau_2 sigma_3 + tau_3 sigma_2, its coefficients in c [m², m, 1]
+    tau23_1 = sigma_part2_1*tau_part3_1 + sigma_part3_1*tau_part2_1
+    tau23_2 = sigma_part2_1*tau_shift3_x + sigma_part3_1*tau_shift2_x + sigma_shift2_x*tau_part3_1 + sigma_shift3_x*tau_part2_1
+    tau23_3 = sigma_part2_1*tau_shift3_y + sigma_part3_1*tau_shift2_y + sigma_shift2_y*tau_part3_1 + sigma_shift3_y*tau_part2_1
+    tau23_4 = sigma_part2_1*tau_shift3_z + sigma_part3_1*tau_shift2_z + sigma_shift2_z*tau_part3_1 + sigma_shift3_z*tau_part2_1
+    tau23_5 = sigma_shift2_x*tau_shift3_x + sigma_shift3_x*tau_shift2_x
+    tau23_6 = sigma_shift2_x*tau_shift3_y + sigma_shift2_y*tau_shift3_x + sigma_shift3_x*tau_shift2_y + sigma_shift3_y*tau_shift2_x
+    tau23_7 = sigma_shift2_x*tau_shift3_z + sigma_shift2_z*tau_shift3_x + sigma_shift3_x*tau_shift2_z + sigma_shift3_z*tau_shift2_x
+    tau23_8 = sigma_shift2_y*tau_shift3_y + sigma_shift3_y*tau_shift2_y
+    tau23_9 = sigma_shift2_y*tau_shift3_z + sigma_shift2_z*tau_shift3_y + sigma_shift3_y*tau_shift2_z + sigma_shift3_z*tau_shift2_y
+    tau23_10 = sigma_shift2_z*tau_shift3_z + sigma_shift3_z*tau_shift2_z
+    # cubic of direct singularities at one orientation, its coefficients in c (27) [m³, m², m, 1]
+    cubic_1 = sigma23_1*tau_part1_1 + sigma_part1_1*tau23_1
+    cubic_2 = sigma23_1*tau_shift1_x + sigma23_2*tau_part1_1 + sigma_part1_1*tau23_2 + sigma_shift1_x*tau23_1
+    cubic_3 = sigma23_1*tau_shift1_y + sigma23_3*tau_part1_1 + sigma_part1_1*tau23_3 + sigma_shift1_y*tau23_1
+    cubic_4 = sigma23_1*tau_shift1_z + sigma23_4*tau_part1_1 + sigma_part1_1*tau23_4 + sigma_shift1_z*tau23_1
+    cubic_5 = sigma23_2*tau_shift1_x + sigma23_5*tau_part1_1 + sigma_part1_1*tau23_5 + sigma_shift1_x*tau23_2
+    cubic_6 = sigma23_2*tau_shift1_y + sigma23_3*tau_shift1_x + sigma23_6*tau_part1_1 + sigma_part1_1*tau23_6 + sigma_shift1_x*tau23_3 + sigma_shift1_y*tau23_2
+    cubic_7 = sigma23_2*tau_shift1_z + sigma23_4*tau_shift1_x + sigma23_7*tau_part1_1 + sigma_part1_1*tau23_7 + sigma_shift1_x*tau23_4 + sigma_shift1_z*tau23_2
+    cubic_8 = sigma23_3*tau_shift1_y + sigma23_8*tau_part1_1 + sigma_part1_1*tau23_8 + sigma_shift1_y*tau23_3
+    cubic_9 = sigma23_3*tau_shift1_z + sigma23_4*tau_shift1_y + sigma23_9*tau_part1_1 + sigma_part1_1*tau23_9 + sigma_shift1_y*tau23_4 + sigma_shift1_z*tau23_3
+    cubic_10 = sigma23_10*tau_part1_1 + sigma23_4*tau_shift1_z + sigma_part1_1*tau23_10 + sigma_shift1_z*tau23_4
+    cubic_11 = sigma23_5*tau_shift1_x + sigma_shift1_x*tau23_5
+    cubic_12 = sigma23_5*tau_shift1_y + sigma23_6*tau_shift1_x + sigma_shift1_x*tau23_6 + sigma_shift1_y*tau23_5
+    cubic_13 = sigma23_5*tau_shift1_z + sigma23_7*tau_shift1_x + sigma_shift1_x*tau23_7 + sigma_shift1_z*tau23_5
+    cubic_14 = sigma23_6*tau_shift1_y + sigma23_8*tau_shift1_x + sigma_shift1_x*tau23_8 + sigma_shift1_y*tau23_6
+    cubic_15 = sigma23_6*tau_shift1_z + sigma23_7*tau_shift1_y + sigma23_9*tau_shift1_x + sigma_shift1_x*tau23_9 + sigma_shift1_y*tau23_7 + sigma_shift1_z*tau23_6
+    cubic_16 = sigma23_10*tau_shift1_x + sigma23_7*tau_shift1_z + sigma_shift1_x*tau23_10 + sigma_shift1_z*tau23_7
+    cubic_17 = sigma23_8*tau_shift1_y + sigma_shift1_y*tau23_8
+    cubic_18 = sigma23_8*tau_shift1_z + sigma23_9*tau_shift1_y + sigma_shift1_y*tau23_9 + sigma_shift1_z*tau23_8
+    cubic_19 = sigma23_10*tau_shift1_y + sigma23_9*tau_shift1_z + sigma_shift1_y*tau23_10 + sigma_shift1_z*tau23_9
+    cubic_20 = sigma23_10*tau_shift1_z + sigma_shift1_z*tau23_10
+    return DirectLocus(
+        [cubic_1, cubic_2, cubic_3, cubic_4, cubic_5, cubic_6, cubic_7, cubic_8, cubic_9, cubic_10, cubic_11, cubic_12, cubic_13, cubic_14, cubic_15, cubic_16, cubic_17, cubic_18, cubic_19, cubic_20],
+        [n1_x, p2, p3],
+    )
+
+
+class OrientationLocus(NamedTuple):
+    """What `orientation_locus` returns."""
+
+    value: Nested
+    by_turn: Nested
+    by_position: Nested
+
+
+def orientation_locus(a: Nested, c: Nested, R: Nested) -> OrientationLocus:
+    """The polynomial of degree 12 in Euler parameters on which `orientation` vanishes: √3/2 times it is (p_1 p_2 p_3)² orientation.
+
+    Equations (27) of the paper; base frame.
+    419 operations.
+
+    Parameters
+    ----------
+    a : nested list (...)
+        radius of the circle through A_1, A_2, A_3 [m]
+    c : nested list (..., 3)
+        position of the platform's centre C [m]
+    R : nested list (..., 3, 3)
+        rotation of the platform [1]
+
+    Returns
+    -------
+    value : nested list (...)
+        tau1 sigma2 sigma3 + tau2 sigma3 sigma1 + ... [m³]
+    by_turn : nested list (..., 3)
+        its derivative by a turn of the platform [m³]
+    by_position : nested list (..., 3)
+        its derivative by the position [m²]
+    """
+    SQRT3_2 = sqrt(mpf(3)) / 2
+    a = _exact(a)
+    c = _exact(c)
+    R = _exact(R)
+    c_x, c_y, c_z = c
+    (n1_x, m1_x, nu_x), (n1_y, m1_y, nu_y), (n1_z, m1_z, nu_z) = R
+    x0 = mpf(1)/2*n1_x
+    x1 = SQRT3_2*m1_x
+    # direction from C to B_2, n_1 turned by 120° about nu (5) [1]
+    n2_x = -x0 + x1
+    x2 = mpf(1)/2*n1_y
+    x3 = SQRT3_2*m1_y
+    n2_y = -x2 + x3
+    x4 = mpf(1)/2*n1_z
+    x5 = SQRT3_2*m1_z
+    n2_z = -x4 + x5
+    x6 = mpf(1)/2*m1_x
+    x7 = SQRT3_2*n1_x
+    # platform direction normal to n_2 [1]
+    m2_x = -x6 - x7
+    x8 = mpf(1)/2*m1_y
+    x9 = SQRT3_2*n1_y
+    m2_y = -x8 - x9
+    x10 = mpf(1)/2*m1_z
+    x11 = SQRT3_2*n1_z
+    m2_z = -x10 - x11
+    # direction from C to B_3, n_1 turned by 240° about nu (5) [1]
+    n3_x = -x0 - x1
+    n3_y = -x2 - x3
+    n3_z = -x4 - x5
+    # platform direction normal to n_3 [1]
+    m3_x = -x6 + x7
+    m3_y = -x8 + x9
+    m3_z = -x10 + x11
+    # distance of C from the plane of the limb (4) [m]
+    h1 = a - c_x
+    x12 = c_y*n1_x
+    # p_i times the horizontal part of the leg [m]
+    gt1 = h1*n1_y + x12
+    # p_i times the vertical part of the leg [m]
+    gz1 = c_z*n1_x + h1*n1_z
+    x13 = SQRT3_2*c_y
+    x14 = a + mpf(1)/2*c_x
+    # distance of C from the plane of the limb (4) [m]
+    h2 = -x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p2 = SQRT3_2*n2_y - mpf(1)/2*n2_x
+    x15 = SQRT3_2*n2_x + mpf(1)/2*n2_y
+    x16 = mpf(1)/2*c_y
+    x17 = SQRT3_2*c_x
+    x18 = -x16 - x17
+    # p_i times the horizontal part of the leg [m]
+    gt2 = -h2*x15 + p2*x18
+    # p_i times the vertical part of the leg [m]
+    gz2 = c_z*p2 + h2*n2_z
+    # distance of C from the plane of the limb (4) [m]
+    h3 = x13 + x14
+    # cosine of the angle between n_i and u_i (4) [1]
+    p3 = -SQRT3_2*n3_y - mpf(1)/2*n3_x
+    x19 = SQRT3_2*n3_x - mpf(1)/2*n3_y
+    x20 = -x16 + x17
+    # p_i times the horizontal part of the leg [m]
+    gt3 = h3*x19 + p3*x20
+    # p_i times the vertical part of the leg [m]
+    gz3 = c_z*p3 + h3*n3_z
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau1 = -gt1*nu_z + gz1*nu_y
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma1 = gt1*m1_z - gz1*m1_y
+    x21 = mpf(1)/2*nu_y
+    x22 = SQRT3_2*nu_x
+    x23 = x21 + x22
+    x24 = -x23
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau2 = -gt2*nu_z + gz2*x24
+    x25 = mpf(1)/2*m2_y
+    x26 = SQRT3_2*m2_x + x25
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma2 = gt2*m2_z + gz2*x26
+    x27 = -x21 + x22
+    # p_i² times the part of B_iD_i in the platform's plane [m]
+    tau3 = -gt3*nu_z + gz3*x27
+    x28 = mpf(1)/2*m3_y
+    x29 = SQRT3_2*m3_x - x28
+    # p_i² times the part of B_iD_i normal to the platform [m]
+    sigma3 = gt3*m3_z - gz3*x29
+    x30 = sigma2*tau3
+    x31 = sigma3*tau2
+    x32 = sigma3*tau1
+    # the three lines S_i in the platform frame (27) [m³]
+    tilt = sigma1*x30 + sigma1*x31 + sigma2*x32
+    # derivative of tau_1 by the position [1]
+    tau_shift1_x = -m1_x
+    tau_shift1_y = -n1_x*nu_z
+    tau_shift1_z = n1_x*nu_y
+    # derivative of sigma_1 by the position [1]
+    sigma_shift1_x = -nu_x
+    sigma_shift1_y = m1_z*n1_x
+    sigma_shift1_z = -m1_y*n1_x
+    # moment about O of a unit force along u_1 at C [m]
+    lever1_y = -c_z
+    # derivative of tau_1 by a turn of the platform [m]
+    tau_turn1_x = -n1_x*(c_y*nu_y - lever1_y*nu_z)
+    x33 = -c_y*nu_z - lever1_y*nu_y
+    tau_turn1_y = h1*m1_z + n1_z*x33 + nu_x*x12
+    tau_turn1_z = -h1*m1_y - lever1_y*n1_x*nu_x - n1_y*x33
+    # derivative of sigma_1 by a turn of the platform [m]
+    sigma_turn1_x = n1_x*(c_y*m1_y - lever1_y*m1_z)
+    x34 = c_y*m1_z + lever1_y*m1_y
+    sigma_turn1_y = h1*nu_z - m1_x*x12 + n1_z*x34
+    sigma_turn1_z = -h1*nu_y + lever1_y*m1_x*n1_x - n1_y*x34
+    x35 = nu_z*p2
+    # derivative of tau_2 by the position [1]
+    tau_shift2_x = SQRT3_2*x25 + SQRT3_2*x35 - mpf(1)/4*m2_x
+    tau_shift2_y = SQRT3_2*(-SQRT3_2*m2_y + mpf(1)/2*m2_x) + mpf(1)/2*x35
+    tau_shift2_z = p2*x24
+    x36 = mpf(1)/4*nu_x
+    x37 = SQRT3_2*x21
+    x38 = m2_z*p2
+    # derivative of sigma_2 by the position [1]
+    sigma_shift2_x = -SQRT3_2*x38 - x36 + x37
+    x39 = SQRT3_2*nu_y
+    sigma_shift2_y = SQRT3_2*(mpf(1)/2*nu_x - x39) - mpf(1)/2*x38
+    sigma_shift2_z = p2*x26
+    x40 = SQRT3_2*c_z
+    # moment about O of a unit force along u_2 at C [m]
+    lever2_x = x40
+    x41 = mpf(1)/2*c_z
+    lever2_y = x41
+    lever2_z = x18
+    x42 = h2*m2_z
+    x43 = -lever2_x*nu_x - lever2_y*nu_y - lever2_z*nu_z
+    x44 = n2_z*x43
+    # derivative of tau_2 by a turn of the platform [m]
+    tau_turn2_x = -SQRT3_2*x42 - SQRT3_2*x44 - p2*(-lever2_y*nu_z + lever2_z*nu_y)
+    tau_turn2_y = -p2*(lever2_x*nu_z - lever2_z*nu_x) - mpf(1)/2*x42 - mpf(1)/2*x44
+    tau_turn2_z = h2*x26 - p2*(-lever2_x*nu_y + lever2_y*nu_x) + x15*x43
+    x45 = h2*nu_z
+    x46 = lever2_x*m2_x + lever2_y*m2_y + lever2_z*m2_z
+    x47 = n2_z*x46
+    # derivative of sigma_2 by a turn of the platform [m]
+    sigma_turn2_x = -SQRT3_2*x45 - SQRT3_2*x47 + p2*(-lever2_y*m2_z + lever2_z*m2_y)
+    sigma_turn2_y = p2*(lever2_x*m2_z - lever2_z*m2_x) - mpf(1)/2*x45 - mpf(1)/2*x47
+    sigma_turn2_z = h2*x23 + p2*(-lever2_x*m2_y + lever2_y*m2_x) + x15*x46
+    # derivative of tau_3 by the position [1]
+    tau_shift3_x = -SQRT3_2*nu_z*p3 - SQRT3_2*x28 - mpf(1)/4*m3_x
+    tau_shift3_y = -SQRT3_2*(SQRT3_2*m3_y + mpf(1)/2*m3_x) + mpf(1)/2*nu_z*p3
+    tau_shift3_z = p3*x27
+    # derivative of sigma_3 by the position [1]
+    sigma_shift3_x = SQRT3_2*m3_z*p3 - x36 - x37
+    sigma_shift3_y = -SQRT3_2*(mpf(1)/2*nu_x + x39) - mpf(1)/2*m3_z*p3
+    x48 = -x29
+    sigma_shift3_z = p3*x48
+    # moment about O of a unit force along u_3 at C [m]
+    lever3_x = -x40
+    lever3_y = x41
+    lever3_z = x20
+    x49 = h3*m3_z
+    x50 = -lever3_x*nu_x - lever3_y*nu_y - lever3_z*nu_z
+    x51 = n3_z*x50
+    # derivative of tau_3 by a turn of the platform [m]
+    tau_turn3_x = SQRT3_2*x49 + SQRT3_2*x51 - p3*(-lever3_y*nu_z + lever3_z*nu_y)
+    tau_turn3_y = -p3*(lever3_x*nu_z - lever3_z*nu_x) - mpf(1)/2*x49 - mpf(1)/2*x51
+    x52 = -x19
+    tau_turn3_z = h3*x48 - p3*(-lever3_x*nu_y + lever3_y*nu_x) + x50*x52
+    x53 = h3*nu_z
+    x54 = lever3_x*m3_x + lever3_y*m3_y + lever3_z*m3_z
+    x55 = n3_z*x54
+    # derivative of sigma_3 by a turn of the platform [m]
+    sigma_turn3_x = SQRT3_2*x53 + SQRT3_2*x55 + p3*(-lever3_y*m3_z + lever3_z*m3_y)
+    sigma_turn3_y = p3*(lever3_x*m3_z - lever3_z*m3_x) - mpf(1)/2*x53 - mpf(1)/2*x55
+    sigma_turn3_z = -h3*x27 + p3*(-lever3_x*m3_y + lever3_y*m3_x) + x52*x54
+    x56 = sigma1*sigma2
+    x57 = sigma1*sigma3
+    x58 = sigma2*sigma3
+    x59 = x30 + x31
+    x60 = sigma1*tau3 + x32
+    x61 = sigma1*tau2 + sigma2*tau1
+    # derivative of theta by a turn of the platform (27) [m³]
+    tilt_turn_x = sigma_turn1_x*x59 + sigma_turn2_x*x60 + sigma_turn3_x*x61 + tau_turn1_x*x58 + tau_turn2_x*x57 + tau_turn3_x*x56
+    tilt_turn_y = sigma_turn1_y*x59 + sigma_turn2_y*x60 + sigma_turn3_y*x61 + tau_turn1_y*x58 + tau_turn2_y*x57 + tau_turn3_y*x56
+    tilt_turn_z = sigma_turn1_z*x59 + sigma_turn2_z*x60 + sigma_turn3_z*x61 + tau_turn1_z*x58 + tau_turn2_z*x57 + tau_turn3_z*x56
+    # derivative of theta by the position (27) [m²]
+    tilt_shift_x = sigma_shift1_x*x59 + sigma_shift2_x*x60 + sigma_shift3_x*x61 + tau_shift1_x*x58 + tau_shift2_x*x57 + tau_shift3_x*x56
+    tilt_shift_y = sigma_shift1_y*x59 + sigma_shift2_y*x60 + sigma_shift3_y*x61 + tau_shift1_y*x58 + tau_shift2_y*x57 + tau_shift3_y*x56
+    tilt_shift_z = sigma_shift1_z*x59 + sigma_shift2_z*x60 + sigma_shift3_z*x61 + tau_shift1_z*x58 + tau_shift2_z*x57 + tau_shift3_z*x56
+    return OrientationLocus(
+        tilt,
+        [tilt_turn_x, tilt_turn_y, tilt_turn_z],
+        [tilt_shift_x, tilt_shift_y, tilt_shift_z],
+    )
