@@ -161,7 +161,10 @@ def test_a_motion_that_begins_beyond_a_limit() -> None:
 
 def test_limits_of_the_azimuth_count_turns() -> None:
     """C goes once around the Z axis; 4 rad come after the jump of atan2 at π."""
-    circle = lambda t: 0.25 * np.concatenate([np.cos(t), np.sin(t), 4.0 + 0.0 * t], axis=1)  # noqa: E731
+
+    def circle(t: np.ndarray) -> np.ndarray:
+        return 0.25 * np.concatenate([np.cos(t), np.sin(t), 4.0 + 0.0 * t], axis=1)
+
     motion = poses(circle, lambda _: START, 6.0)
     found = ROBOT.watch(motion, 101, limits=Limits({"q4": (-1.0, 4.0)}))
     assert abs(found.joints[:, 3] - found.times).max() <= 1e-14
@@ -227,7 +230,10 @@ def test_a_limb(tilt: float) -> None:
         if incidence(0.0, limb) * incidence(1.6, limb) < 0.0:
             roots[f"limb_{limb + 1}"] = brentq(incidence, 0.0, 1.6, args=(limb,), xtol=1e-15)
     first = min(roots, key=roots.__getitem__)
-    later = lambda times: turn(times + roots[first] - 0.1)  # noqa: E731
+
+    def later(times: np.ndarray) -> Rotation:
+        return turn(times + roots[first] - 0.1)
+
     found = ROBOT.watch(poses(lambda t: HOME + 0.0 * t, later, 0.15), 50)
     assert found.first[1:] == (first, "inverse")
     assert abs(found.first.time - 0.1) <= SOON
@@ -241,7 +247,10 @@ def test_a_leg_without_length() -> None:
     side /= np.linalg.norm(side)
     frame = Rotation.from_matrix(np.stack([along, np.cross(side, along), side], axis=1))
     tilt = Rotation.from_rotvec(0.4 * along)
-    turn = lambda t: Rotation.from_rotvec((t[:, np.newaxis] - 1.0) * 0.1 * side) * tilt * frame  # noqa: E731
+
+    def turn(t: np.ndarray) -> Rotation:
+        return Rotation.from_rotvec((t[:, np.newaxis] - 1.0) * 0.1 * side) * tilt * frame
+
     found = ROBOT.watch(poses(lambda t: HOME + 0.0 * t, turn, 2.0), 40)
     assert found.first[1:] == ("leg_1", "limb")
     assert abs(found.first.time - 1.0) <= SOON
@@ -252,14 +261,17 @@ def turning_back(t: np.ndarray) -> Rotation:
     return Rotation.from_rotvec((1.0 - t)[:, np.newaxis] * START.as_rotvec())
 
 
+def joints_turning_back(t: np.ndarray) -> np.ndarray:
+    return ROBOT.inverse_displacement(HOME, turning_back(t[:, 0]))
+
+
 @pytest.mark.parametrize("count", [20, 101])
 def test_orientation_along_poses_and_where_modes_cross(count: int) -> None:
     found = ROBOT.watch(poses(lambda t: HOME + 0.0 * t, turning_back, 2.0), count)
     assert found.first[1:] == ("orientation", "direct")
     assert abs(found.first.time - 1.0) <= SOON
     assert len(found.times) == count
-    path = lambda t: ROBOT.inverse_displacement(HOME, turning_back(t[:, 0]))  # noqa: E731
-    followed = ROBOT.watch(joints(path, 2.0), count, start_rotation=START)
+    followed = ROBOT.watch(joints(joints_turning_back, 2.0), count, start_rotation=START)
     assert followed.first[1:] == ("orientation", "direct")
     assert abs(followed.first.time - 1.0) <= SOON
     # The mode ends there, and so do the samples.
@@ -312,10 +324,11 @@ def test_where_modes_merge() -> None:
 
 
 def test_a_limit_before_the_end_of_a_mode() -> None:
-    path = lambda t: ROBOT.inverse_displacement(HOME, turning_back(t[:, 0]))  # noqa: E731
-    q1 = float(path(np.array([[0.999]]))[0, 0])
-    limits = {"q1": (0.0, q1)} if path(np.zeros((1, 1)))[0, 0] < q1 else {"q1": (q1, 9.0)}
-    found = ROBOT.watch(joints(path, 2.0), 40, start_rotation=START, limits=Limits(limits))
+    start, q1 = joints_turning_back(np.array([[0.0], [0.999]]))[:, 0]
+    limits = {"q1": (0.0, q1)} if start < q1 else {"q1": (q1, 9.0)}
+    found = ROBOT.watch(
+        joints(joints_turning_back, 2.0), 40, start_rotation=START, limits=Limits(limits)
+    )
     assert found.first.kind == "limit"
     assert abs(found.first.time - 0.999) <= SOON
 

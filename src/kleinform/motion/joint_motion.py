@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -10,7 +9,8 @@ from numpy.polynomial import polynomial
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.joints import checked_joints
-from kleinform.motion.clock import checked_span, checked_times, even_times, values_at
+from kleinform.motion.clock import checked_span, even_times
+from kleinform.motion.function import FunctionOfTime
 from kleinform.motion.states import JOINT_SHAPES, JointStates
 from kleinform.screening import real_array
 
@@ -22,7 +22,7 @@ SMOOTH_STEP = np.array([0.0, 0.0, 0.0, 10.0, -15.0, 6.0])
 
 
 @dataclass(frozen=True)
-class JointMotion:
+class JointMotion(FunctionOfTime):
     """A motion of the joints: a function of time, and when it begins and ends.
 
     Parameters
@@ -33,13 +33,6 @@ class JointMotion:
     start, end : float
         [s], ``start < end``.
     """
-
-    function: Callable[[Array], tuple[ArrayLike, ...]]
-    start: float
-    end: float
-
-    def __post_init__(self) -> None:
-        checked_span(self.start, self.end)
 
     def at(self, times: ArrayLike) -> JointStates:
         """The joints at some times (T,) [s].
@@ -52,8 +45,7 @@ class JointMotion:
         JointRangeError
             A length is negative, or q5 is outside [−π/2, π/2].
         """
-        when = checked_times(times, self.start, self.end)
-        joints, rates, accelerations = values_at(self.function, when, JOINT_SHAPES)
+        when, joints, rates, accelerations = self.values(times, JOINT_SHAPES)
         return JointStates(when, checked_joints(joints), rates, accelerations)
 
     def sampled(self, count: int) -> JointStates:

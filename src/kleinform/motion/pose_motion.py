@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kleinform.motion.clock import checked_span, checked_times, even_times, values_at
+from kleinform.motion.clock import even_times
+from kleinform.motion.function import FunctionOfTime
 from kleinform.motion.states import PLATFORM_SHAPES, PlatformStates
 from kleinform.screening import ROTATION_TOLERANCE, Screen, reject_bad_rotations
 
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
-class PoseMotion:
+class PoseMotion(FunctionOfTime):
     """A motion of the platform: a function of time, and when it begins and ends.
 
     Parameters
@@ -30,13 +30,6 @@ class PoseMotion:
         [s], ``start < end``.
     """
 
-    function: Callable[[Array], tuple[ArrayLike, ...]]
-    start: float
-    end: float
-
-    def __post_init__(self) -> None:
-        checked_span(self.start, self.end)
-
     def at(self, times: ArrayLike) -> PlatformStates:
         """The platform at some times (T,) [s].
 
@@ -46,9 +39,8 @@ class PoseMotion:
             A time is outside the motion, or the function returned something else than finite
             arrays of these shapes, with rotations among them.
         """
-        when = checked_times(times, self.start, self.end)
-        states = PlatformStates(when, *values_at(self.function, when, PLATFORM_SHAPES))
-        screen = Screen(when.shape, "raise")
+        states = PlatformStates(*self.values(times, PLATFORM_SHAPES))
+        screen = Screen(states.times.shape, "raise")
         reject_bad_rotations(screen, "rotations", states.rotations, ROTATION_TOLERANCE)
         screen.settle()
         return states
