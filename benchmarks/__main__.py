@@ -8,7 +8,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from benchmarks import classification, kernels, modes, motion
+from benchmarks import classification, kernels, modes, motion, workspace
 from benchmarks.report import machine, saved
 
 RESULTS = Path(__file__).with_name("results.md")
@@ -40,4 +40,5 @@ if __name__ == "__main__":
         classification.table()
         modes.table()
         motion.table()
+        workspace.table()
         import_time()
