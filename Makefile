@@ -45,7 +45,7 @@ figures: $(ENGINES) ## the paper's figures and the robot with its screws, into d
 	@$(BIN)/python -m kleinform.plots docs/figures
 
 test: $(ENGINES) check-generated ## all tests on both backends, the freshness of generated/ and the wheel
-	@KLEINFORM_BACKEND=numpy $(BIN)/python -m pytest $(SPREAD) tests/kernels tests/runtime --deselect tests/runtime/test_wheel.py
+	@KLEINFORM_BACKEND=numpy $(BIN)/python -m pytest $(SPREAD) tests/kernels tests/runtime tests/motion --deselect tests/runtime/test_wheel.py
 	@$(BIN)/python -m pytest $(SPREAD)
 
 lint: $(READY) ## ruff and mypy

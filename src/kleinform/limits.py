@@ -88,7 +88,10 @@ class Limits:
         unknown = set(tables) - {"ranges", "margins"}
         if unknown:
             raise InputError(f"{path}: [ranges] and [margins] are known, {min(unknown)!r} arrived")
-        return cls(**tables)
+        try:
+            return cls(**tables)
+        except InputError as error:
+            raise InputError(f"{path}: {error}") from None
 
     def range_of(self, name: str) -> Range:
         """The range of a joint or an extension, infinite where none is given."""

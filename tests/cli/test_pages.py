@@ -16,8 +16,8 @@ from kleinform.paper.examples import example_2
 from kleinform.verification import __main__ as verification
 from tests.cli.support import random_poses, write
 
-COMMANDS = ["inverse", "forward", "velocity", "singularity", "trajectory", "verify", "paper"]
-COMMANDS += ["latex"]
+COMMANDS = ["inverse", "forward", "velocity", "singularity", "classify", "trajectory"]
+COMMANDS += ["workspace", "singularities", "verify", "paper", "latex"]
 PAGE = Path(__file__).parents[2] / "docs" / "command-line.md"
 
 
@@ -33,6 +33,8 @@ def files(tmp_path: Path, run) -> None:
     names = ("t", *(f"q{i}" for i in range(1, 7)))
     columns = (states.times, *states.joints.T)
     write(tmp_path / "motion.csv", dict(zip(names, columns, strict=True)))
+    ranges = "".join(f"q{i} = [0.6, 1.5]\n" for i in (1, 2, 3, 6))
+    (tmp_path / "limits.toml").write_text(f"[ranges]\n{ranges}")
 
 
 def same(printed: str, shown: str) -> None:
@@ -50,6 +52,8 @@ def test_every_command_is_tested() -> None:
 @pytest.mark.usefixtures("files")
 @pytest.mark.parametrize("command", COMMANDS)
 def test_the_examples_of_help(run, command: str, monkeypatch: pytest.MonkeyPatch) -> None:
+    if command == "workspace":
+        pytest.importorskip("flint", reason="the extra kleinform[certify] is not installed")
     monkeypatch.setattr(verification, "main", lambda: print("verified"))
     text = run(command, "--help").out
     assert max(map(len, text.splitlines())) <= 80
@@ -73,8 +77,10 @@ def test_the_examples_of_help(run, command: str, monkeypatch: pytest.MonkeyPatch
         "inverse --input poses.csv",
         "forward --input joints.csv --degrees",
         "singularity --input poses.csv",
+        "classify --input poses.csv",
         "velocity --input twists.csv",
         "trajectory --example 2",
+        "singularities --rpy 10 3 6",
     ],
 )
 def test_help_and_page_name_every_column(run, arguments: str) -> None:

@@ -7,12 +7,15 @@ from typing import Any
 
 import typer
 
+from kleinform.commands.classify import classify
 from kleinform.commands.forward import forward
 from kleinform.commands.inverse import inverse
 from kleinform.commands.reports import latex, paper, verify
+from kleinform.commands.singularities import singularities
 from kleinform.commands.singularity import singularity
 from kleinform.commands.trajectory import trajectory
 from kleinform.commands.velocity import velocity
+from kleinform.commands.workspace import workspace
 
 __all__ = ["app"]
 
@@ -40,5 +43,9 @@ def kleinform() -> None:
     """
 
 
-for command in (inverse, forward, velocity, singularity, trajectory, verify, paper, latex):
+COMMANDS = (
+    *(inverse, forward, velocity, singularity, classify, trajectory),
+    *(workspace, singularities, verify, paper, latex),
+)
+for command in COMMANDS:
     app.command()(command)

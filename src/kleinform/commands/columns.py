@@ -62,6 +62,7 @@ UNITS = {
     **dict(zip(ACCELERATIONS, (f"{unit}/s²" for unit in LENGTHS_AND_ANGLES), strict=True)),
     **dict(zip(TWIST, 3 * ("rad/s",) + 3 * ("m/s",), strict=True)),
     **dict(zip(TWIST_RATE, 3 * ("rad/s²",) + 3 * ("m/s²",), strict=True)),
+    **dict.fromkeys(("volume", "volume_error"), "m³"),
     **dict(zip(DETERMINANTS, ("m²", "m³"), strict=True)),
     **dict(zip(FACTORS, ("1", "1", "1", "m²", "1", "m", "m", "m", "m³"), strict=True)),
 }

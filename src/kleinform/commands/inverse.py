@@ -12,7 +12,7 @@ from kleinform.manipulator import UncoupledManipulator
 from kleinform.rotations import rotation_from_rpy
 from kleinform.screening import Errors
 
-__all__ = ["azimuth_of", "inverse", "pose_of"]
+__all__ = ["azimuth_of", "inverse", "pose_of", "rotation_of"]
 
 
 def inverse(
@@ -59,3 +59,9 @@ def pose_of(poses: Table, errors: Errors) -> tuple[Array, Array]:
 def azimuth_of(azimuth: float | None, degrees: bool) -> float | None:
     """The azimuth in radians."""
     return float(np.radians(azimuth)) if degrees and azimuth is not None else azimuth
+
+
+def rotation_of(rpy: options.Three, degrees: bool) -> Array:
+    """The rotation (3, 3) that an option gives."""
+    roll, pitch, yaw = np.radians(rpy) if degrees else rpy
+    return rotation_from_rpy(roll=roll, pitch=pitch, yaw=yaw)

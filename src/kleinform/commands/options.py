@@ -11,11 +11,13 @@ from kleinform.commands.streams import Format as FormatName
 from kleinform.screening import Errors as OnErrors
 
 __all__ = [
+    "AnswerFormat",
     "Azimuth",
     "Degrees",
     "Errors",
     "Format",
     "Input",
+    "Orientation",
     "Output",
     "Position",
     "Radius",
@@ -32,6 +34,12 @@ Position = Annotated[
 ]
 Rpy = Annotated[
     Three | None,
+    typer.Option(
+        metavar="ROLL PITCH YAW", help="The rotation Rz(yaw) Ry(pitch) Rx(roll) of the platform."
+    ),
+]
+Orientation = Annotated[
+    Three,
     typer.Option(
         metavar="ROLL PITCH YAW", help="The rotation Rz(yaw) Ry(pitch) Rx(roll) of the platform."
     ),
@@ -59,6 +67,13 @@ Format = Annotated[
     typer.Option(
         "--format",
         help="Of standard input and output; csv unless given. json is an object a line.",
+    ),
+]
+AnswerFormat = Annotated[
+    FormatName | None,
+    typer.Option(
+        "--format",
+        help="Of standard output; csv in pipes unless given. json is an object a line.",
     ),
 ]
 Degrees = Annotated[

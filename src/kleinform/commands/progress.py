@@ -1,4 +1,4 @@
-"""A bar on standard error while work takes long."""
+"""A bar or a spinner on standard error while work takes long."""
 
 from __future__ import annotations
 
@@ -6,13 +6,14 @@ import sys
 import time
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
+from threading import Timer
 
 from rich.console import Console
-from rich.progress import Progress
+from rich.progress import Progress, SpinnerColumn, TextColumn, TimeElapsedColumn
 
-__all__ = ["progress"]
+__all__ = ["progress", "spinner"]
 
-#: Seconds until the bar appears.
+#: Seconds until something appears.
 PATIENCE = 1.0
 
 
@@ -38,3 +39,22 @@ def progress(shown: bool) -> Iterator[Callable[[float], None]]:
         yield report
     finally:
         bar.stop()
+
+
+@contextmanager
+def spinner(name: str) -> Iterator[None]:
+    """Show that work goes on, of which nobody knows how much is done, at a terminal."""
+    if not sys.stderr.isatty():
+        yield
+        return
+    columns = (SpinnerColumn(), TextColumn("{task.description}"), TimeElapsedColumn())
+    shown = Progress(*columns, console=Console(stderr=True), transient=True)
+    shown.add_task(name, total=None)
+    timer = Timer(PATIENCE, shown.start)
+    timer.start()
+    try:
+        yield
+    finally:
+        timer.cancel()
+        timer.join()
+        shown.stop()

@@ -60,6 +60,11 @@ class Streams:
         """Whether somebody looks at the answers."""
         return self.output is None and sys.stdout.isatty()
 
+    @property
+    def aligned(self) -> bool:
+        """Whether one answer is laid out for somebody who looks, no format being asked for."""
+        return self.format is None and self.on_terminal
+
     @contextmanager
     def source(self, given: Given) -> Iterator[Source]:
         """The rows: those of the options, or those of the table."""
@@ -84,7 +89,7 @@ class Streams:
         if self.output is not None:
             with _file_writer(self.output) as write:
                 yield write
-        elif one_answer and self.format is None and self.on_terminal:
+        elif one_answer and self.aligned:
             yield lambda table: print_aligned(table, self.degrees)
         else:
             yield TEXT_WRITERS[self.format or "csv"](sys.stdout)

@@ -9,7 +9,7 @@ import numpy as np
 
 from kleinform.commands.columns import Table, unit
 
-__all__ = ["print_aligned"]
+__all__ = ["WIDTH", "print_aligned", "word"]
 
 #: Characters of a number.
 WIDTH = 11
@@ -25,7 +25,7 @@ def print_aligned(table: Table, degrees: bool) -> None:
         if first:
             print()
         for title, *values in zip(titles, *rows[first : first + beside], strict=True):
-            line = " ".join([f"{title:{width}}", *(f"{_word(value):>{WIDTH}}" for value in values)])
+            line = " ".join([f"{title:{width}}", *(f"{word(value):>{WIDTH}}" for value in values)])
             print(line.rstrip())
 
 
@@ -34,7 +34,7 @@ def _title(name: str, degrees: bool) -> str:
     return f"{name} [{of}]" if of else name
 
 
-def _word(value: Any) -> str:
+def word(value: Any) -> str:
     """A number in at most 11 characters; words are as long as they are."""
     if not isinstance(value, float):
         return str(value).lower()

@@ -23,6 +23,7 @@ from kleinform.commands.columns import (
     named,
     stacked,
 )
+from kleinform.commands.inverse import rotation_of
 from kleinform.commands.rows import named_row
 from kleinform.commands.source import Block, Source, require, whole
 from kleinform.commands.streams import Streams
@@ -30,7 +31,7 @@ from kleinform.errors import InputError, KleinformError
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.motion import JointStates
 from kleinform.motion.clock import increasing_times
-from kleinform.rotations import rotation_from_rpy, rpy_from_rotation
+from kleinform.rotations import rpy_from_rotation
 
 __all__ = ["trajectory"]
 
@@ -82,7 +83,7 @@ def trajectory(
     if mode is not None and start_rpy is not None:
         raise InputError("either --mode or --start-rpy is needed, both arrived")
     robot = UncoupledManipulator(radius)
-    start = None if start_rpy is None else _rotation(start_rpy, degrees)
+    start = None if start_rpy is None else rotation_of(start_rpy, degrees)
     streams = Streams(table, output, format, degrees)
     if example is not None:
         motion, paper_start = _of_paper(example, samples)
@@ -148,9 +149,4 @@ def _of_paper(example: str, samples: int) -> tuple[JointStates, Array]:
     from kleinform.paper.examples import example_1, example_2
 
     motion = example_1() if example == "1" else example_2()
-    return motion.sampled(samples), _rotation(printed.ROLL_PITCH_YAW_DEGREES, degrees=True)
-
-
-def _rotation(rpy: options.Three, degrees: bool) -> Array:
-    roll, pitch, yaw = np.radians(rpy) if degrees else rpy
-    return rotation_from_rpy(roll=roll, pitch=pitch, yaw=yaw)
+    return motion.sampled(samples), rotation_of(printed.ROLL_PITCH_YAW_DEGREES, degrees=True)

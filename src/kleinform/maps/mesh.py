@@ -67,7 +67,7 @@ class Mesh:
         rows = np.zeros(len(corners), dtype=record)
         rows["normal"] = normal / np.where(length > 0.0, length, 1.0)
         rows["corners"] = corners
-        header = b"kleinform constant-orientation workspace, metres".ljust(80)
+        header = b"kleinform, metres".ljust(80)
         _write(path, header + np.uint32(len(rows)).astype("<u4").tobytes() + rows.tobytes())
 
     def write_ply(self, path: str | PathLike[str]) -> None:
@@ -75,7 +75,7 @@ class Mesh:
         lines = [
             "ply",
             "format binary_little_endian 1.0",
-            "comment kleinform constant-orientation workspace, metres",
+            "comment kleinform, metres",
             f"element vertex {len(self.vertices)}",
             *(f"property double {axis}" for axis in "xyz"),
             f"element face {len(self.triangles)}",

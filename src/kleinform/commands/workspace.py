@@ -1,0 +1,79 @@
+"""``kleinform workspace``: the positions that keep every limit at one orientation."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+from typing import Annotated
+
+import numpy as np
+import typer
+
+from kleinform.commands import options
+from kleinform.commands.inverse import rotation_of
+from kleinform.commands.meshes import MeshFile, Resolution, check_mesh_file, write_mesh
+from kleinform.commands.progress import spinner
+from kleinform.commands.streams import Streams
+from kleinform.limits import Limits
+from kleinform.manipulator import UncoupledManipulator
+
+__all__ = ["workspace"]
+
+LimitsFile = Annotated[
+    Path | None,
+    typer.Option(
+        "--limits",
+        metavar="FILE",
+        help="A .toml with the table [ranges], in m and rad; without, Limits.typical(radius).",
+    ),
+]
+Tolerance = Annotated[
+    float, typer.Option(help="The relative error of the volume to reach, at least 1e-9.")
+]
+
+
+def workspace(
+    rpy: options.Orientation,
+    limits: LimitsFile = None,
+    tolerance: Tolerance = 1e-6,
+    mesh: MeshFile = None,
+    resolution: Resolution = 64,
+    format: options.AnswerFormat = None,
+    degrees: options.Degrees = False,
+    radius: options.Radius = 1.0,
+) -> None:
+    """The positions that keep every limit at one orientation.
+
+    Needs the extra kleinform[certify]. The exit code is 1 if the error is proven, but larger
+    than --tolerance asks for.
+
+    Columns out: volume, volume_error [m³] (the proven bound of the error), components (pieces
+    that a grid of 64 lines along the longer side finds).
+
+    \b
+    Examples:
+      kleinform workspace --rpy 10 3 6 --degrees
+      kleinform workspace --rpy 10 3 6 --degrees --limits limits.toml \\
+          --mesh workspace.stl --resolution 40
+    """
+    check_mesh_file(mesh)
+    from kleinform.maps import constant_orientation_workspace
+
+    robot = UncoupledManipulator(radius)
+    kept = Limits.typical(radius) if limits is None else Limits.from_toml(limits)
+    space = constant_orientation_workspace(robot, rotation_of(rpy, degrees), kept)
+    with spinner("workspace"):
+        volume = space.volume(tolerance)
+        components = space.components().count
+        if mesh is not None:
+            write_mesh(space.mesh(resolution), mesh)
+    numbers = {
+        "volume": volume.value,
+        "volume_error": volume.error,
+        "components": components,
+    }
+    with Streams(None, None, format, degrees).writer(one_answer=True) as write:
+        write({name: np.array([number]) for name, number in numbers.items()})
+    if not volume.proven:
+        print("kleinform: the error is larger than --tolerance asks for", file=sys.stderr)
+        raise typer.Exit(1)
