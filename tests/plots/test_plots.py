@@ -11,7 +11,12 @@ import pytest
 from matplotlib.figure import Figure
 
 import kleinform
+from kleinform.limits import Limits
+from kleinform.maps.curves import Curve
+from kleinform.maps.loci import direct_locus
 from kleinform.maps.modes import joint_map
+from kleinform.maps.section import Arc, Loop, Section
+from kleinform.maps.workspace import constant_orientation_workspace
 from kleinform.motion import PlatformStates
 from kleinform.paper import printed
 from kleinform.paper.examples import example_1
@@ -23,14 +28,17 @@ from kleinform.plots import (
     histories,
     maps,
     paper,
+    regions,
     robots,
     settle,
 )
 from kleinform.plots.drawing import write
+from kleinform.plots.palette import LIMITS, LOCUS
 from kleinform.plots.scene import scene
 from kleinform.verification.report import ours
 
-NAMES = ["fig-2", "fig-4", "fig-5", "fig-6", "fig-7", "fig-8", "joined", "mode-maps", "modes"]
+NAMES = [f"fig-{number}" for number in range(2, 9)]
+NAMES += ["joined", "loci", "mode-maps", "modes"]
 POSE = (robots.POSITION, robots.ROTATION)
 SAMPLES = 41
 JOINTS = robots.ROBOT.inverse_displacement(*POSE)
@@ -257,6 +265,84 @@ def test_the_way_between_two_modes_begins_and_ends_at_the_same_joint_values() ->
         assert abs(lengths[0] - lengths[-1]) <= 1e-14
         assert np.ptp(lengths) >= 0.05
     assert "[m]" in history.get_ylabel()
+
+
+# The workspace ---------------------------------------------------------------------------
+
+
+def room(positions: np.ndarray) -> dict[str, np.ndarray]:
+    """How far each end of a range is away, in the paper's orientation."""
+    joints = robots.ROBOT.inverse_displacement(positions, robots.ROTATION)
+    extension = robots.ROBOT.survey(positions, robots.ROTATION).extension
+    return Limits.typical().room(joints, extension)
+
+
+def test_sections_of_fig_3_keep_every_limit_and_meet_that_of_their_colour() -> None:
+    panels = regions.fig_3(resolution=9).axes[2:]
+    assert len(panels) == len(regions.HEIGHTS)
+    for axes, z in zip(panels, regions.HEIGHTS, strict=True):
+        assert axes.get_title().startswith(f"$Z$ = {z} m")
+        arcs = [line for line in axes.lines if line.get_color() != LOCUS]
+        assert len(arcs) >= 2
+        for line in arcs:
+            found = room(np.insert(line.get_xydata(), 2, z, axis=1))
+            assert min(gap.min() for gap in found.values()) >= -1e-12
+            name = next(name for name in LIMITS if LIMITS[name] == line.get_color())
+            own = [abs(gap).max() for end, gap in found.items() if end.startswith(name)]
+            assert min(own) <= 1e-12
+
+
+def test_triangles_have_the_colour_of_the_limit_that_their_corners_meet() -> None:
+    workspace = constant_orientation_workspace(robots.ROBOT, robots.ROTATION, Limits.typical())
+    vertices = workspace.mesh(9).vertices
+    names, normals = regions.limits_met(workspace, vertices)
+    found = room(vertices)
+    for k, name in enumerate(names):
+        gaps = [abs(gap[k]) for end, gap in found.items() if end.startswith(name)]
+        assert min(gaps) <= 1e-12
+    np.testing.assert_allclose(np.linalg.norm(normals, axis=1), 1.0, atol=1e-12)
+    assert not workspace.contains(vertices + 1e-6 * normals).any()
+
+
+@pytest.mark.parametrize("draw", [regions.fig_3, regions.loci])
+def test_the_orientation_factor_vanishes_on_the_dashed_curves(draw) -> None:
+    orientations = {"fig_3": [robots.ROTATION] * 6, "loci": [case[1] for case in regions.CASES]}
+    panels = [axes for axes in draw(resolution=9).axes if axes.name != "3d"]
+    for axes, rotation in zip(panels, orientations[draw.__name__], strict=True):
+        z = float(axes.get_title().split()[2])
+        curves = [line.get_xydata() for line in axes.lines if line.get_color() == LOCUS]
+        assert curves
+        positions = np.insert(np.concatenate(curves), 2, z, axis=1)
+        factors = robots.ROBOT.survey(positions, rotation).factors
+        assert abs(factors["orientation"]).max() <= 1e-12
+
+
+def test_shades_are_the_signs_of_the_factor() -> None:
+    axes = Figure().add_subplot()
+    regions.draw_signs(axes, direct_locus(robots.ROBOT, robots.ROTATION), 0.65, count=5)
+    shown = axes.collections[0].get_array().reshape(5, 5)
+    for (row, column), positive in np.ndenumerate(shown):
+        x, y = np.linspace(-1.1, 1.1, 5)[[column, row]]
+        factors = robots.ROBOT.survey([x, y, 0.65], robots.ROTATION).factors
+        assert bool(positive) == (factors["orientation"] > 0.0)
+
+
+def test_a_hole_in_a_section_is_not_filled() -> None:
+    def circle(radius: float, end: float) -> Loop:
+        curve = Curve(np.zeros(2), np.array([radius, 0.0]), np.array([0.0, radius]), True)
+        return Loop((Arc("q6", "low", curve, 0.0, end),), 0.0)
+
+    axes = Figure().add_subplot()
+    turn = 2.0 * np.pi
+    regions.draw_section(axes, Section(1.0, (circle(1.0, turn), circle(0.5, -turn))))
+    path = axes.patches[0].get_path()
+    windings = [signed_area(part) for part in path.to_polygons()]
+    assert windings[0] > 0.0 > windings[1]
+
+
+def signed_area(polygon: np.ndarray) -> float:
+    x, y = polygon.T
+    return 0.5 * float((x[:-1] * y[1:] - x[1:] * y[:-1]).sum())
 
 
 # The files -------------------------------------------------------------------------------

@@ -16,7 +16,7 @@ from kleinform.plots.scene import STAR, Scene, scene
 from kleinform.plots.strokes import TURN, Axes3D, Pen, widest_gap
 from kleinform.screening import RotationLike
 
-__all__ = ["draw_directions", "draw_reciprocal_lines", "draw_robot", "draw_screws"]
+__all__ = ["draw_base", "draw_directions", "draw_reciprocal_lines", "draw_robot", "draw_screws"]
 
 Array = NDArray[np.float64]
 #: Lengths over the radius a: from C to the platform's vertices, of arrows, beside an axis.
@@ -51,7 +51,7 @@ def draw_robot(
     """
     here = scene(robot, position, rotation)
     pen = Pen(axes, here.radius)
-    _base(pen, here)
+    draw_base(pen, here.base)
     _platform(pen, here)
     pen.line(ORIGIN, here.centre, color=CENTRAL, linewidth=2.5)
     pen.point(ORIGIN, "$O$", [*np.eye(3), *STAR, here.centre], CENTRAL)
@@ -153,15 +153,15 @@ def _joint_places(here: Scene, limb: int) -> list[Array]:
     return [a, beside, b, b, b, b + 1.3 * ARROW * here.radius * n]
 
 
-def _base(pen: Pen, here: Scene) -> None:
-    """The circle of A_i, its radii O A_i, and the frame XYZ."""
+def draw_base(pen: Pen, base: Array) -> None:
+    """The circle of A_i (3, 3), its radii O A_i, and the frame XYZ; the pen's unit is a."""
     turn = np.linspace(0.0, 2.0 * np.pi, 73)
-    circle = here.radius * np.stack([np.cos(turn), np.sin(turn), np.zeros_like(turn)])
+    circle = pen.unit * np.stack([np.cos(turn), np.sin(turn), np.zeros_like(turn)])
     pen.axes.plot(*circle, color=BASE, linewidth=1.0)
-    for a in here.base:
+    for a in base:
         pen.line(ORIGIN, a, color=BASE, linewidth=1.0)
     for vector, name in zip(np.eye(3), "XYZ", strict=True):
-        pen.arrow(ORIGIN, 0.45 * here.radius * vector, f"${name}$", BASE)
+        pen.arrow(ORIGIN, 0.45 * pen.unit * vector, f"${name}$", BASE)
 
 
 def _platform(pen: Pen, here: Scene) -> None:

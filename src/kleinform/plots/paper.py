@@ -7,7 +7,7 @@ from functools import partial
 from pathlib import Path
 
 from kleinform.motion import JointMotion, PlatformStates
-from kleinform.plots import histories, maps, robots
+from kleinform.plots import histories, maps, regions, robots
 from kleinform.plots.drawing import Figure, write
 from kleinform.verification import by_pinocchio
 from kleinform.verification.report import EXAMPLES, ours, start_of
@@ -15,7 +15,7 @@ from kleinform.verification.report import EXAMPLES, ours, start_of
 __all__ = ["figures", "followed", "write_figures"]
 
 SAMPLES = 321
-#: Along both axes of a map.
+#: Along the axes of a map, and along a side of the box that a surface is meshed in.
 RESOLUTION = 121
 #: Fig. 5 and 6 are of Example 1, Fig. 7 and 8 of Example 2.
 NUMBERS = {"Example 1": (5, 6), "Example 2": (7, 8)}
@@ -30,7 +30,12 @@ def figures(samples: int = SAMPLES) -> dict[str, Callable[[], Figure]]:
         Pinocchio is not installed.
     """
     found = {"fig-2": robots.diagram, "fig-4": robots.screws, "modes": robots.modes}
-    found |= {"mode-maps": partial(maps.mode_maps, min(samples, RESOLUTION)), "joined": maps.joined}
+    resolution = min(samples, RESOLUTION)
+    found |= {"mode-maps": partial(maps.mode_maps, resolution), "joined": maps.joined}
+    found |= {
+        "fig-3": partial(regions.fig_3, resolution),
+        "loci": partial(regions.loci, resolution),
+    }
     for name, motion in EXAMPLES.items():
         own, theirs = followed(motion, samples)
         pose, rate = NUMBERS[name]
