@@ -4,9 +4,11 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import dataclass, field
-from math import inf, isnan, pi, radians
+from math import inf, nan, pi, radians
+from numbers import Real
 from os import PathLike
 from pathlib import Path
+from types import MappingProxyType
 from typing import Any
 
 import numpy as np
@@ -50,8 +52,12 @@ class Limits:
     def __post_init__(self) -> None:
         ranges = {name: _range(name, given) for name, given in _table("ranges", self.ranges)}
         margins = {name: _margin(name, given) for name, given in _table("margins", self.margins)}
-        object.__setattr__(self, "ranges", ranges)
-        object.__setattr__(self, "margins", margins)
+        object.__setattr__(self, "ranges", MappingProxyType(ranges))
+        object.__setattr__(self, "margins", MappingProxyType(margins))
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        """Read-only views cannot be copied: what they show can."""
+        return Limits, (dict(self.ranges), dict(self.margins))
 
     @classmethod
     def typical(cls, radius: float = 1.0) -> Limits:
@@ -131,17 +137,25 @@ def _table(name: str, given: Any) -> Any:
 
 
 def _range(name: str, given: Any) -> Range:
-    try:
-        low, high = map(float, given)
-    except (TypeError, ValueError):
-        low = high = inf
+    pair = given if isinstance(given, (list, tuple, np.ndarray)) and len(given) == 2 else (inf, inf)
+    low, high = map(_number, pair)
     if not low < high:
         raise InputError(f"{name}: (low, high) with low < high is needed, {given!r} arrived")
     return low, high
 
 
+def _number(given: Any) -> float:
+    """A real number as a float, NaN for anything else."""
+    if isinstance(given, bool) or not isinstance(given, Real):
+        return nan
+    try:
+        return float(given)
+    except OverflowError:
+        return nan
+
+
 def _margin(name: str, given: Any) -> float:
-    value = float(given) if isinstance(given, (int, float)) else -inf
-    if isnan(value) or not 0.0 <= value < inf:
+    value = _number(given)
+    if not 0.0 <= value < inf:
         raise InputError(f"{name}: a number >= 0 is needed, {given!r} arrived")
     return value

@@ -100,7 +100,25 @@ def test_the_size_does_not_matter(radius: float) -> None:
     assert found.least["orientation"] >= 1.0 * radius**3
 
 
-@pytest.mark.parametrize("pair", [(0, 12), (-1, 0), ("a", 0)])
+def test_a_mode_is_joined_to_itself(many) -> None:
+    found = join_modes(ROBOT, many, 1, 1)
+    assert found.proven()
+    assert ROBOT.watch(found.motion(), 5).first is None
+
+
+def test_another_robot_is_refused(many) -> None:
+    for radius in (2.0, [1.0, 2.0]):
+        with pytest.raises(InputError, match="radius"):
+            join_modes(UncoupledManipulator(radius), many, 1, 5)
+
+
+@pytest.mark.parametrize("duration", [0.0, -1.0, np.nan, np.inf])
+def test_a_motion_takes_time(many, duration: float) -> None:
+    with pytest.raises(InputError, match=r"^start < end"):
+        join_modes(ROBOT, many, 1, 5).motion(duration)
+
+
+@pytest.mark.parametrize("pair", [(0, 12), (-1, 0), ("a", 0), (0, 1.0), (0, True)])
 def test_numbers_that_are_no_modes(many, pair) -> None:
     with pytest.raises(InputError, match="12 modes"):
         join_modes(ROBOT, many, *pair)

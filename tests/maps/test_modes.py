@@ -86,13 +86,21 @@ def test_conditioning_refuses_or_blanks() -> None:
 
 def test_what_is_asked_wrongly() -> None:
     unit = ((0.5, 1.0), (0.5, 1.0))
-    for axes in (("q1", "q1"), ("q1", "q7"), ("q1",)):
+    for axes in (("q1", "q1"), ("q1", "q7"), ("q1",), ("q1", "q2", "q1"), ("q1", ["q2"])):
         with pytest.raises(InputError, match=r"^axes: "):
             joint_map(ROBOT, JOINTS, axes, unit, 3)
     with pytest.raises(InputError, match=r"^ranges: "):
         joint_map(ROBOT, JOINTS, ("q1", "q2"), ((1.0, 0.5), (0.5, 1.0)), 3)
-    with pytest.raises(InputError, match=r"^resolution: "):
-        joint_map(ROBOT, JOINTS, ("q1", "q2"), unit, 1)
+    for resolution in (1, 5.5, "5", True):
+        with pytest.raises(InputError, match=r"^resolution: "):
+            joint_map(ROBOT, JOINTS, ("q1", "q2"), unit, resolution)
+    for ranges in (unit[:1], ((0.5, np.inf), unit[1]), ((0.5, 0.7, 0.9), unit[1])):
+        with pytest.raises(InputError, match=r"^ranges: "):
+            joint_map(ROBOT, JOINTS, ("q1", "q2"), ranges, 3)
+    with pytest.raises(InputError, match=r"^joints: "):
+        joint_map(ROBOT, [JOINTS, JOINTS], ("q1", "q2"), unit, 3)
+    with pytest.raises(InputError, match=r"^height: "):
+        workspace_map(ROBOT, ROTATION, [1.0, 2.0], unit, 3)
     with pytest.raises(NotFiniteError):
         joint_map(ROBOT, JOINTS * np.nan, ("q1", "q2"), unit, 3)
     with pytest.raises(InputError, match="q1 >= 0"):

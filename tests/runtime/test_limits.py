@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import copy
+import pickle
 from pathlib import Path
 
 import numpy as np
@@ -45,6 +47,11 @@ def test_typical_limits_grow_with_the_machine() -> None:
         {"q1": 3.0},
         {"q1": (0.0, 1.0, 2.0)},
         {"q1": "ab"},
+        {"q1": "12"},
+        {"q1": ("0.6", "1.5")},
+        {"q1": (False, True)},
+        {"q1": {1: 0, 2: 0}},
+        {"q1": (0, 10**400)},
         [("q1", (0.0, 1.0))],
     ],
 )
@@ -54,11 +61,31 @@ def test_bad_ranges_are_refused(given: object) -> None:
 
 
 @pytest.mark.parametrize(
-    "given", [{"q1": 0.1}, {"wrist": -0.1}, {"wrist": np.inf}, {"wrist": np.nan}, {"wrist": "a"}]
+    "given",
+    [
+        {"q1": 0.1},
+        {"wrist": -0.1},
+        {"wrist": np.inf},
+        {"wrist": np.nan},
+        {"wrist": "a"},
+        {"wrist": True},
+        {"wrist": 10**400},
+    ],
 )
 def test_bad_margins_are_refused(given: dict[str, object]) -> None:
     with pytest.raises(InputError):
         Limits(margins=given)
+
+
+def test_limits_stay_as_they_were_checked() -> None:
+    given = {"q1": (1, 2)}
+    limits = Limits(given, {"wrist": np.float32(0.5)})
+    given["q1"] = (5, -5)
+    assert limits.ranges == {"q1": (1.0, 2.0)}
+    with pytest.raises(TypeError):
+        limits.ranges["q1"] = (5.0, -5.0)
+    for copied in (copy.deepcopy(limits), pickle.loads(pickle.dumps(limits))):
+        assert copied == limits
 
 
 def test_from_toml(tmp_path: Path) -> None:

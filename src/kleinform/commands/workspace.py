@@ -28,7 +28,7 @@ LimitsFile = Annotated[
     ),
 ]
 Tolerance = Annotated[
-    float, typer.Option(help="The relative error of the volume to reach, at least 1e-9.")
+    float, typer.Option(help="The relative error of the volume to reach, from 1e-9 to 1.")
 ]
 
 

@@ -1,9 +1,10 @@
 """Whether two assembly modes of the same joint values can be joined without a singularity.
 
-Along any motion that meets no singularity the signs of e_1, e_2, e_3 and of the orientation
-factor stay: modes that differ in one of them cannot be joined. Where they agree, a way is
-looked for with C at rest: the platform turns straight from one mode to the other, or through
-orientations in between. What is found is proven in ball arithmetic (extra ``certify``).
+Along any motion that meets no direct singularity, and neither n_i·u_i = 0 nor q_i = 0, the
+signs of e_1, e_2, e_3 and of the orientation factor stay: modes that differ in one of them cannot
+be joined so. Where they agree, a way is looked for with C at rest: the platform turns straight
+from one mode to the other, or through orientations in between. What is found is proven in ball
+arithmetic (extra ``certify``).
 """
 
 from __future__ import annotations
@@ -18,6 +19,7 @@ from kleinform.errors import InputError, MissingExtraError
 from kleinform.forward.modes import AssemblyModes
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.motion import PoseMotion
+from kleinform.motion.clock import checked_span
 
 try:
     from scipy.spatial.transform import Rotation, Slerp
@@ -67,8 +69,9 @@ class Joining:
         """The way as a motion of the platform, every turn at one angular velocity [s]."""
         if not self:
             raise InputError(f"motion: there is no way, {self.reason}")
+        _, last = checked_span(0.0, duration)
         ends = Rotation.from_matrix(self.rotations)
-        times = np.linspace(0.0, duration, len(ends))
+        times = np.linspace(0.0, last, len(ends))
         slerp = Slerp(times, ends)
         vectors = (ends[1:] * ends[:-1].inv()).as_rotvec() / np.diff(times)[:, np.newaxis]
 
@@ -79,7 +82,7 @@ class Joining:
             place = np.broadcast_to(self.position, (len(at), 3))
             return place, slerp(at).as_matrix(), twists, np.zeros((len(at), 6))
 
-        return PoseMotion(function, 0.0, duration)
+        return PoseMotion(function, 0.0, last)
 
     def proven(self) -> bool:
         """Whether ball arithmetic proves that no direct factor vanishes on the way.
@@ -105,7 +108,7 @@ class Joining:
 def join_modes(
     robot: UncoupledManipulator, modes: AssemblyModes, first: int, second: int, *, seed: int = 0
 ) -> Joining:
-    """A way between two modes on which no direct singularity is met, if one is found.
+    """A way between two modes that meets no direct singularity, n_i·u_i = 0 or q_i = 0.
 
     Parameters
     ----------
@@ -129,8 +132,14 @@ def join_modes(
         There is no mode of that number.
     """
     for number in (first, second):
-        if number not in range(len(modes)):
+        whole = isinstance(number, (int, np.integer)) and not isinstance(number, bool)
+        if not (whole and number in range(len(modes))):
             raise InputError(f"join_modes: there are {len(modes)} modes, {number!r} arrived")
+    if robot.radius.ndim or float(robot.radius) != modes.radius:
+        raise InputError(
+            f"join_modes: the modes are of radius {modes.radius!r}, that of the robot is "
+            f"{robot.radius.tolist()!r}"
+        )
     ends = modes.rotation[[first, second]]
     signs = _signs(robot, modes.position, ends)
     if (modes.multiplicity[[first, second]] > 1).any():
@@ -143,7 +152,8 @@ def join_modes(
         )
     different = [name for name, pair in zip(INVARIANTS, signs.T, strict=True) if np.ptp(pair)]
     if different:
-        reason = f"no way exists: the sign of {' and of '.join(different)} differs"
+        signs_differ = f"the sign of {' and of '.join(different)} differs"
+        reason = f"no way exists without n_i·u_i = 0 or q_i = 0: {signs_differ}"
         return Joining(modes.position, ends[:0], modes.radius, reason, {})
     way = _way(robot, modes.position, ends, signs[0], seed)
     if not len(way):

@@ -8,7 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kleinform.errors import InputError
+from kleinform.errors import InputError, ShapeError
 from kleinform.generated import kernels
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.pose import check_pose
@@ -78,7 +78,9 @@ def joint_map(
     InputError, JointRangeError
     """
     fixed = real_array("joints", joints, (6,))
-    if len(set(axes)) != 2 or not set(axes) <= set(JOINTS):
+    if fixed.ndim != 1:
+        raise ShapeError(f"joints: shape (6,) is needed, {fixed.shape} arrived")
+    if len(axes) != 2 or axes[0] == axes[1] or not all(axis in JOINTS for axis in axes):
         raise InputError(f"axes: two of {', '.join(JOINTS)} are needed, {axes!r} arrived")
     columns = [JOINTS.index(axis) for axis in axes]
 
@@ -115,7 +117,7 @@ def workspace_map(
     InputError, SingularPoseError
     """
     turn = one_rotation("rotation", rotation)
-    level = float(real_array("height", height, ()))
+    level = _finite("height", height)
 
     def count(points: Array) -> Counts:
         positions = np.column_stack([points, np.full(len(points), level)])
@@ -153,15 +155,15 @@ def conditioning(
     Raises
     ------
     SingularPoseError
-        ``n_i·u_i = 0``: a line S_i has no place.
+        ``n_i·u_i = 0`` or ``q_i = 0``: a line S_i has no place or no direction.
     InputError
     """
     pose = check_pose(robot, position, rotation, errors)
-    place = kernels.inverse_displacement(pose.radius, pose.position, pose.rotation)
-    pose.reject_incidence(place.incidence)
-    lines = kernels.limb_geometry(pose.radius, pose.position, pose.rotation).lines
-    pose.screen.blank(lines)
-    moments = np.where(np.isfinite(lines), lines, 0.0)[..., 3:]
+    result = kernels.jacobians(pose.radius, pose.position, pose.rotation, pose.heading())
+    pose.reject_legs(result)
+    pose.screen.settle()
+    # The first columns of J_v are S_1, S_2, S_3.
+    moments = np.where(pose.screen.valid[..., np.newaxis, np.newaxis], result.J_v[..., 3:, :3], 0.0)
     values: Array = np.linalg.svd(moments, compute_uv=False)
     values[~pose.screen.valid] = np.nan
     return values
@@ -176,6 +178,8 @@ def _counts(robot: UncoupledManipulator, joints: Array) -> Counts:
 
 def _map(count: Callable[[Array], Counts], ranges: tuple[Range, Range], resolution: int) -> ModeMap:
     """Count on a grid, and find where the number changes along its edges."""
+    if len(ranges) != 2:
+        raise InputError(f"ranges: two of (low, high) are needed, {ranges!r} arrived")
     first, second = (_even(limits, resolution) for limits in ranges)
     grid = np.stack(np.meshgrid(first, second, indexing="ij"), axis=-1)
     counts = count(grid.reshape(-1, 2)).reshape(resolution, resolution)
@@ -193,12 +197,23 @@ def _map(count: Callable[[Array], Counts], ranges: tuple[Range, Range], resoluti
 
 
 def _even(limits: Range, resolution: int) -> Array:
-    low, high = (float(real_array("ranges", end, ())) for end in limits)
+    ends = real_array("ranges", limits, (2,))
+    if ends.ndim != 1:
+        raise ShapeError(f"ranges: (low, high) is needed, {limits!r} arrived")
+    low, high = (_finite("ranges", end) for end in ends)
     if not low < high:
         raise InputError(f"ranges: low < high is needed, {limits!r} arrived")
-    if resolution < 2:
+    whole = isinstance(resolution, (int, np.integer)) and not isinstance(resolution, bool)
+    if not whole or resolution < 2:
         raise InputError(f"resolution: at least 2 is needed, {resolution!r} arrived")
     return np.linspace(low, high, resolution)
+
+
+def _finite(name: str, value: ArrayLike) -> float:
+    number = real_array(name, value, ())
+    if number.ndim or not np.isfinite(number):
+        raise InputError(f"{name}: one finite number is needed, {value!r} arrived")
+    return float(number)
 
 
 def _between(count: Callable[[Array], Counts], low: Array, high: Array, at_low: Counts) -> Array:

@@ -198,17 +198,21 @@ def _always(form: Form) -> Form:
 
 def _patch(surface: Surface, clauses: list[list[Form]], slabs: list[Slab]) -> Patch:
     low, high = _range(surface, slabs)
-    tables, slacks = [], []
+    tables, slacks, doubled = [], [], []
     for form in (form for clause in clauses for form in clause):
         table, radius = _rounded(_pulled_back(form.matrix, surface))
         reach = 1.0 if surface.kind == "sphere" else max(1.0, abs(low), abs(high))
         power = reach ** np.arange(table.shape[1]) if surface.kind != "sphere" else 1.0
+        size = abs(table) * power
+        rounding = ROUNDING * size.sum()
+        # What is at the level of rounding is left out, and counts as rounding.
+        doubled.append(bool(size[3:].sum() > rounding))
+        if not doubled[-1]:
+            rounding += size[3:].sum()
+            table[3:] = 0.0
         tables.append(table)
-        slacks.append(float((ROUNDING * abs(table) * power).sum() + (radius * power).sum()))
-    table = np.stack(tables)
-    slack = np.array(slacks)
-    double = abs(table[:, 3:]).sum(axis=(1, 2)) > ROUNDING * abs(table).sum(axis=(1, 2))
-    table[~double, 3:] = 0.0
+        slacks.append(float(rounding + (radius * power).sum()))
+    table, slack, double = np.stack(tables), np.array(slacks), np.array(doubled)
     starts = np.cumsum([0, *map(len, clauses)])[:-1]
     flux, _ = _rounded(surface.flux)
     return Patch(surface.kind, low, high, flux, table, np.where(double, 2, 1), starts, 2.0 * slack)

@@ -11,7 +11,7 @@ Everything is written for numbers of any kind, float64 or balls of python-flint.
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from math import inf, pi
 from typing import Any
 
@@ -232,6 +232,9 @@ def _elevation(ends: tuple[float, float], make: Callable[[float], Any]) -> list[
         found += [Constraint("q5", "low", forms) for forms in _above(low, 1.0, make)]
     if high < pi / 2.0:
         found += [Constraint("q5", "high", forms) for forms in _above(-high, -1.0, make)]
+    if 0.0 in ends:
+        # The base bounds one side already: it need not stand beside the cone of the other.
+        found = [replace(constraint, forms=constraint.forms[:1]) for constraint in found]
     return found
 
 

@@ -56,6 +56,15 @@ class Arc:
         """Points (count, 2) in m, both ends among them."""
         return self.curve.points(np.linspace(self.start, self.end, count))
 
+    def enlarged(self, unit: float) -> Arc:
+        """The same with lengths in m, from lengths in a unit [m]."""
+        curve = self.curve
+        if curve.closed:
+            larger = Curve(unit * curve.center, unit * curve.first, unit * curve.second, True)
+            return Arc(self.name, self.edge, larger, self.start, self.end)
+        larger = Curve(unit * curve.center, curve.first, curve.second, False)
+        return Arc(self.name, self.edge, larger, unit * self.start, unit * self.end)
+
     def backwards(self) -> Arc:
         """The same piece the other way."""
         return Arc(self.name, self.edge, self.curve, self.end, self.start)
@@ -109,6 +118,14 @@ class Section:
     def components(self) -> int:
         """Number of pieces: outer loops."""
         return sum(loop.area > 0.0 for loop in self.loops)
+
+    def enlarged(self, unit: float) -> Section:
+        """The same with lengths in m, from lengths in a unit [m]."""
+        loops = tuple(
+            Loop(tuple(arc.enlarged(unit) for arc in loop.arcs), unit * loop.gap)
+            for loop in self.loops
+        )
+        return Section(unit * self.z, loops)
 
     @property
     def holes(self) -> int:

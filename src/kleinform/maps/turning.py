@@ -54,11 +54,13 @@ def signs_stay(radius: float, position: Array, start: Array, end: Array) -> bool
 
 def _rotated(vector: Array, middle: float, radius: float) -> arb_mat:
     """Rotations by a vector times all shares of a ball, by Rodrigues' formula."""
+    unit = arb_mat([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
+    if not vector.any():
+        return unit
     x, y, z = (arb(float(entry)) for entry in vector)
     angle = (x * x + y * y + z * z).sqrt()
     turned = angle * arb(middle, radius)
     cross = arb_mat([[0, -z, y], [z, 0, -x], [-y, x, 0]]) / angle
-    unit = arb_mat([[1, 0, 0], [0, 1, 0], [0, 0, 1]])
     return unit + cross * turned.sin() + cross * cross * (1 - turned.cos())
 
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from math import frexp
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -66,6 +67,25 @@ class Workspace:
         low, high = np.array([extent(slabs, axis) for axis in np.eye(3)]).T
         return low, np.maximum(low, high)
 
+    @cached_property
+    def _unit(self) -> float:
+        """A power of two near the size of the box [m].
+
+        Lengths in this unit are exact, and numbers of unit 1, m and m² may be compared.
+        """
+        size = float(max(abs(corner).max() for corner in self.box))
+        return 2.0 ** frexp(size)[1] if size > 0.0 else 1.0
+
+    @cached_property
+    def _in_units(self) -> Workspace:
+        """The same with its lengths in units."""
+        unit = self._unit
+        ranges = {
+            name: ends if name in ("q4", "q5") else (ends[0] / unit, ends[1] / unit)
+            for name, ends in self.limits.ranges.items()
+        }
+        return Workspace(self.radius / unit, self.rotation, Limits(ranges))
+
     def contains(self, positions: ArrayLike) -> Mask:
         """Which positions (..., 3) keep every limit, as a mask (...)."""
         return inside(self.constraints, real_array("positions", positions, (3,)))
@@ -80,11 +100,16 @@ class Workspace:
         Raises
         ------
         InputError
-            As `box`.
+            As `box`, or z is not one finite number.
         """
-        low, high = self.box
+        height = real_array("z", z, ())
+        if height.ndim or not np.isfinite(height):
+            raise InputError(f"z: one finite number is needed, {z!r} arrived")
+        inner, unit = self._in_units, self._unit
+        low, high = inner.box
         far = np.maximum(abs(low), abs(high))
-        return section_of(self.constraints, float(z), float(np.hypot(far[0], far[1])))
+        reach = float(np.hypot(far[0], far[1]))
+        return section_of(inner.constraints, float(height) / unit, reach).enlarged(unit)
 
     def volume(self, relative: float = 1e-6) -> Volume:
         """The volume, with a proven bound of its error (extra ``certify``).
@@ -98,7 +123,7 @@ class Workspace:
         Parameters
         ----------
         relative : float
-            The relative error to reach, at least 1e-9. Where surfaces touch along a curve, or
+            The relative error to reach, from 1e-9 to 1. Where surfaces touch along a curve, or
             two limits have the same surface, it may be out of reach: `Volume.proven` tells.
 
         Returns
@@ -112,9 +137,12 @@ class Workspace:
         InputError
             As `box`, or ``relative`` is smaller.
         """
-        if not relative >= 1e-9:
-            raise InputError(f"relative: at least 1e-9 is needed, {relative!r} arrived")
-        return volume_of(self.radius, self.rotation, self.limits, relative)
+        wanted = real_array("relative", relative, ())
+        if wanted.ndim or not 1e-9 <= wanted < 1.0:
+            raise InputError(f"relative: from 1e-9 to 1 is needed, {relative!r} arrived")
+        inner, cube = self._in_units, self._unit**3
+        found = volume_of(inner.radius, inner.rotation, inner.limits, float(wanted))
+        return Volume(cube * found.value, cube * found.error, found.proven, found.panels)
 
     def components(self, lines: int = 64) -> Components:
         """The connected pieces, by ``lines`` vertical lines along the longer side of `box`.
@@ -165,6 +193,8 @@ def constant_orientation_workspace(
     """
     if robot.radius.ndim:
         raise InputError(f"radius: one is needed, shape {robot.radius.shape} arrived")
+    if not isinstance(limits, Limits):
+        raise InputError(f"limits: Limits are needed, {limits!r} arrived")
     if limits.margins:
         raise InputError(
             f"limits: margins are not bounded by quadrics, {', '.join(limits.margins)} arrived"
