@@ -38,7 +38,7 @@ TRUST = 0.125
 MOST_HALVINGS = 24
 MOST_ITERATIONS = 12
 #: In so many parts of a stretch the trust is looked at.
-PARTS = 8
+PARTS = 4
 #: Newton's method has converged when its step is below STEP, or below SMALL and no longer
 #: shrinking; directions are unit vectors.
 STEP = 4.0 * float(np.finfo(np.float64).eps)
