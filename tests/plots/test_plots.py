@@ -14,7 +14,7 @@ import kleinform
 from kleinform.limits import Limits
 from kleinform.maps.curves import Curve
 from kleinform.maps.loci import direct_locus
-from kleinform.maps.modes import joint_map
+from kleinform.maps.modes import conditioning, joint_map
 from kleinform.maps.section import Arc, Loop, Section
 from kleinform.maps.workspace import constant_orientation_workspace
 from kleinform.motion import PlatformStates
@@ -255,6 +255,18 @@ def test_a_map_shows_its_numbers_and_curves() -> None:
     scale = figure.axes[1]
     assert scale.get_ylabel().startswith("assembly modes")
     assert scale.get_yticks().tolist() == np.unique(counted.counts).tolist()
+
+
+def test_a_map_shows_the_conditioning() -> None:
+    figure = Figure()
+    axes = figure.add_subplot()
+    ends = np.linspace(-0.4, 0.5, 7)
+    maps.draw_conditioning(axes, ends)
+    shown = axes.collections[0].get_array().reshape(7, 7)
+    for i, j in ((0, 0), (2, 5), (6, 1)):
+        place = [ends[j], ends[i], 1.0]
+        assert shown[i, j] == conditioning(robots.ROBOT, place, robots.ROTATION)[2]
+    assert "[m]" in figure.axes[1].get_ylabel()
 
 
 def test_the_way_between_two_modes_begins_and_ends_at_the_same_joint_values() -> None:

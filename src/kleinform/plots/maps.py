@@ -5,10 +5,11 @@ from __future__ import annotations
 import numpy as np
 from matplotlib.collections import LineCollection
 from matplotlib.colors import BoundaryNorm, ListedColormap
+from numpy.typing import NDArray
 
 from kleinform import UncoupledManipulator, rotation_from_rpy
 from kleinform.maps.joining import join_modes
-from kleinform.maps.modes import ModeMap, joint_map, workspace_map
+from kleinform.maps.modes import ModeMap, conditioning, joint_map, workspace_map
 from kleinform.paper import printed
 from kleinform.plots.draw import draw_robot
 from kleinform.plots.drawing import Axes, Figure
@@ -16,8 +17,9 @@ from kleinform.plots.palette import LIMBS
 from kleinform.plots.robots import share_limits
 from kleinform.plots.strokes import settle
 
-__all__ = ["draw_modes", "joined", "mode_maps"]
+__all__ = ["draw_conditioning", "draw_modes", "joined", "mode_maps"]
 
+Array = NDArray[np.float64]
 ROBOT = UncoupledManipulator(radius=printed.RADIUS)
 POSITION = np.array(printed.POSITION)
 ROLL, PITCH, YAW = np.radians(printed.ROLL_PITCH_YAW_DEGREES)
@@ -56,9 +58,9 @@ def draw_modes(axes: Axes, counted: ModeMap) -> None:
 
 
 def mode_maps(resolution: int) -> Figure:
-    """Around the paper's pose: a section of joint space, and one of the workspace."""
-    figure = Figure(figsize=(10.5, 4.4), layout="constrained")
-    left, right = figure.subplots(1, 2)
+    """Around the paper's pose: a section of joint space, and two of the workspace."""
+    figure = Figure(figsize=(15.5, 4.4), layout="constrained")
+    left, right, last = figure.subplots(1, 3)
     joints = ROBOT.inverse_displacement(POSITION, ROTATION)
     draw_modes(left, joint_map(ROBOT, joints, ("q1", "q2"), ((0.5, 1.8), (0.5, 1.8)), resolution))
     left.set(xlabel="$q_1$ [m]", ylabel="$q_2$ [m]", title="joint values, the others as printed")
@@ -67,7 +69,28 @@ def mode_maps(resolution: int) -> Figure:
     draw_modes(right, workspace_map(ROBOT, ROTATION, 1.0, (span, span), resolution))
     right.set(xlabel="$X$ of $C$ [m]", ylabel="$Y$ of $C$ [m]", title="poses, $Z$ = 1 m")
     right.plot(*POSITION[:2], "k+", markersize=9)
+    draw_conditioning(last, np.linspace(*span, resolution))
+    last.set(xlabel="$X$ of $C$ [m]", ylabel="$Y$ of $C$ [m]", title="poses, $Z$ = 1 m")
+    last.plot(*POSITION[:2], "k+", markersize=9)
     return figure
+
+
+def draw_conditioning(axes: Axes, ends: Array) -> None:
+    """The least singular value of the moments of S_i over positions with Z = 1 m.
+
+    Parameters
+    ----------
+    axes : Axes
+        Of Matplotlib.
+    ends : array (n,)
+        X and Y of the positions [m].
+    """
+    place = np.stack([*np.meshgrid(ends, ends), np.ones((len(ends), len(ends)))], axis=-1)
+    least = conditioning(ROBOT, place, ROTATION)[..., 2]
+    filled = axes.pcolormesh(ends, ends, least, cmap="cividis", vmin=0.0, rasterized=True)
+    axes.grid(False)
+    scale = axes.figure.colorbar(filled, ax=axes)
+    scale.set_label("least singular value of the moments [m]")
 
 
 def joined(samples: int = 121) -> Figure:
