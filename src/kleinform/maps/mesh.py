@@ -127,21 +127,21 @@ def tetrahedra_of(kept: Mask, shape: Index) -> Index:
 def marched(kept: Mask, tetrahedra: Index) -> tuple[Index, Index]:
     """Edges (inside node, outside node) of corners of triangles, and the triangles of these.
 
-    In a tetrahedron (i, j, k, l) with a positive volume that has i inside, the corners on
-    ij, ik, il are counter-clockwise seen from outside; with i, j inside, those on ik, il, jl, jk.
+    In a tetrahedron (a, b, c, d) with a positive volume that has a inside, the corners on
+    ab, ac, ad are counter-clockwise seen from outside; with a, b inside, those on ac, ad, bd, bc.
     """
     code = kept[tetrahedra] @ np.array([1, 2, 4, 8])
     triangles = []
     for order in _even():
-        i, j, k, l = (tetrahedra[:, c] for c in order)  # noqa: E741
+        a, b, c, d = (tetrahedra[:, corner] for corner in order)
         one = 1 << order[0]
         two = one | 1 << order[1]
         if order in _FIRST:
-            triangles.append(_edges(code == one, (i, j), (i, k), (i, l)))
-            triangles.append(_edges(code == 15 - one, (j, i), (l, i), (k, i)))
+            triangles.append(_edges(code == one, (a, b), (a, c), (a, d)))
+            triangles.append(_edges(code == 15 - one, (b, a), (d, a), (c, a)))
         if order[0] < order[1]:
-            triangles.append(_edges(code == two, (i, k), (i, l), (j, l)))
-            triangles.append(_edges(code == two, (i, k), (j, l), (j, k)))
+            triangles.append(_edges(code == two, (a, c), (a, d), (b, d)))
+            triangles.append(_edges(code == two, (a, c), (b, d), (b, c)))
     edges = np.concatenate(triangles)
     return edges.reshape(-1, 2), np.arange(3 * len(edges)).reshape(-1, 3)
 
