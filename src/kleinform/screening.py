@@ -69,6 +69,11 @@ def real_array(name: str, value: ArrayLike, core: tuple[int, ...]) -> Array:
     return array.astype(np.float64, copy=False)
 
 
+def is_whole(value: object) -> bool:
+    """Whether it is a whole number, of Python or of NumPy, and no boolean."""
+    return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
+
+
 class Broken(NamedTuple):
     """A rule, the rows that broke it, and what arrived in them (None where it says nothing)."""
 

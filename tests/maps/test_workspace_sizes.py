@@ -7,8 +7,9 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from kleinform import InputError, Limits, UncoupledManipulator
-from kleinform.maps import Workspace, constant_orientation_workspace
+from kleinform.maps import Workspace, constant_orientation_workspace, direct_locus
 
+BOUNDS = [[-1.0, -1.0, 0.3], [1.0, 1.0, 1.5]]
 ROTATION = Rotation.from_euler("ZYX", np.deg2rad([6.0, 3.0, 10.0])).as_matrix()
 
 
@@ -64,3 +65,18 @@ def test_accuracies_that_are_none(relative: object) -> None:
 def test_limits_are_needed(limits: object) -> None:
     with pytest.raises(InputError, match=r"^limits: "):
         constant_orientation_workspace(UncoupledManipulator(), ROTATION, limits)
+
+
+@pytest.mark.parametrize("resolution", [True, 2.0, "8", 0, -1])
+def test_resolutions_are_whole_numbers(resolution: object) -> None:
+    with pytest.raises(InputError, match=r"^resolution: "):
+        typical(1.0).mesh(resolution)
+    with pytest.raises(InputError, match=r"^resolution: "):
+        direct_locus(UncoupledManipulator(), ROTATION).mesh(BOUNDS, resolution)
+
+
+def test_whole_numbers_of_numpy_are_whole_numbers() -> None:
+    locus = direct_locus(UncoupledManipulator(), ROTATION)
+    for one, other in zip(locus.mesh(BOUNDS, np.int8(6)), locus.mesh(BOUNDS, 6), strict=True):
+        assert np.array_equal(one, other)
+    assert len(typical(1.0).mesh(np.int8(6)).triangles) == len(typical(1.0).mesh(6).triangles)

@@ -16,7 +16,7 @@ from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 from kleinform.forward.solve import INVALID, STATUS, UNDECIDED, completed, solve, unit_size
 from kleinform.generated import kernels
 from kleinform.joints import TOLERANCE, screened_joints
-from kleinform.screening import Errors, lead_of, real_array
+from kleinform.screening import Errors, is_whole, lead_of, real_array
 
 __all__ = ["all_modes", "all_modes_batch", "start_of"]
 
@@ -88,8 +88,7 @@ def start_of(radius: Array, joints: ArrayLike, mode: int | None) -> Array:
     if motion.ndim != 2 or not len(motion):
         raise ShapeError(f"joints: shape (T, 6) with T >= 1 is needed, {motion.shape} arrived")
     modes = all_modes(radius, motion[0], TOLERANCE, certify=False)
-    number = isinstance(mode, (int, np.integer)) and not isinstance(mode, bool)
-    if not (number and mode in range(len(modes))):
+    if not (is_whole(mode) and mode in range(len(modes))):
         raise InputError(f"mode: the first sample has {len(modes)} modes, {mode!r} arrived")
     rotation: Array = modes.rotation[mode]
     return rotation

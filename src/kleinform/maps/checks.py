@@ -12,6 +12,7 @@ from kleinform.screening import (
     LARGEST,
     RotationLike,
     Screen,
+    is_whole,
     real_array,
     reject_bad_numbers,
     reject_bad_rotations,
@@ -54,9 +55,9 @@ def cells(name: str, count: int) -> int:
     ------
     InputError
     """
-    if isinstance(count, bool) or not isinstance(count, int) or not 1 <= count <= MOST_CELLS:
+    if not is_whole(count) or not 1 <= count <= MOST_CELLS:
         raise InputError(f"{name}: a whole number 1 to {MOST_CELLS} is needed, {count!r} arrived")
-    return count
+    return int(count)
 
 
 def one_radius(robot: HasRadius) -> float:

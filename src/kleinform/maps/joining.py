@@ -20,6 +20,7 @@ from kleinform.forward.modes import AssemblyModes
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.motion import PoseMotion
 from kleinform.motion.clock import checked_span
+from kleinform.screening import is_whole
 
 try:
     from scipy.spatial.transform import Rotation, Slerp
@@ -132,8 +133,7 @@ def join_modes(
         There is no mode of that number.
     """
     for number in (first, second):
-        whole = isinstance(number, (int, np.integer)) and not isinstance(number, bool)
-        if not (whole and number in range(len(modes))):
+        if not (is_whole(number) and number in range(len(modes))):
             raise InputError(f"join_modes: there are {len(modes)} modes, {number!r} arrived")
     if robot.radius.ndim or float(robot.radius) != modes.radius:
         raise InputError(

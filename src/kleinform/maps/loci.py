@@ -20,7 +20,7 @@ from kleinform.maps.checks import box, cells, one_radius, positions
 from kleinform.maps.cubics import DEGREES, cube, division, points_of, tensor_of
 from kleinform.maps.zeros import Triangles, zero_curves, zero_mesh
 from kleinform.results import EPS, Array
-from kleinform.screening import RotationLike, one_rotation
+from kleinform.screening import RotationLike, is_whole, one_rotation
 
 __all__ = [
     "DirectLocus",
@@ -159,11 +159,11 @@ class DirectLocus:
         ------
         InputError
         """
-        if isinstance(depth, bool) or not isinstance(depth, int) or not 0 <= depth <= 20:
+        if not is_whole(depth) or not 0 <= depth <= 20:
             raise InputError(f"depth: a whole number 0 to 20 is needed, {depth!r} arrived")
         low, high = box("bounds", bounds, 3)[:, np.newaxis]
         decided = []
-        for level in range(depth + 1):
+        for level in range(int(depth) + 1):
             sign = self._proven(low, high)
             done = (sign != 0) if level < depth else np.ones(len(sign), dtype=bool)
             decided.append((low[done], high[done], sign[done]))

@@ -12,7 +12,7 @@ from kleinform.errors import InputError, ShapeError
 from kleinform.generated import kernels
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.pose import check_pose
-from kleinform.screening import Errors, RotationLike, one_rotation, real_array
+from kleinform.screening import Errors, RotationLike, is_whole, one_rotation, real_array
 
 __all__ = ["ModeMap", "conditioning", "joint_map", "workspace_map"]
 
@@ -203,8 +203,7 @@ def _even(limits: Range, resolution: int) -> Array:
     low, high = (_finite("ranges", end) for end in ends)
     if not low < high:
         raise InputError(f"ranges: low < high is needed, {limits!r} arrived")
-    whole = isinstance(resolution, (int, np.integer)) and not isinstance(resolution, bool)
-    if not whole or resolution < 2:
+    if not is_whole(resolution) or resolution < 2:
         raise InputError(f"resolution: at least 2 is needed, {resolution!r} arrived")
     return np.linspace(low, high, resolution)
 

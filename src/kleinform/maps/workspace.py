@@ -20,7 +20,7 @@ from kleinform.maps.quadrics import Constraint, constraints_of, slabs_of
 from kleinform.maps.section import Section, section_of
 from kleinform.maps.volume import Volume, volume_of
 from kleinform.results import EPS
-from kleinform.screening import RotationLike, one_rotation, real_array
+from kleinform.screening import RotationLike, is_whole, one_rotation, real_array
 
 __all__ = ["Workspace", "constant_orientation_workspace"]
 
@@ -210,6 +210,6 @@ def constant_orientation_workspace(
 
 
 def _positive(name: str, value: int) -> int:
-    if not (isinstance(value, (int, np.integer)) and value > 0):
+    if not (is_whole(value) and value > 0):
         raise InputError(f"{name}: a positive integer is needed, {value!r} arrived")
     return int(value)

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import InputError, ShapeError
-from kleinform.screening import Screen, real_array, reject_bad_numbers
+from kleinform.screening import Screen, is_whole, real_array, reject_bad_numbers
 
 __all__ = [
     "checked_span",
@@ -59,7 +59,7 @@ def increasing_times(times: ArrayLike, least: int) -> Array:
 
 def even_times(start: float, end: float, count: int) -> Array:
     """So many evenly spaced times, the first and the last among them."""
-    if isinstance(count, bool) or not isinstance(count, (int, np.integer)) or count < 2:
+    if not is_whole(count) or count < 2:
         raise InputError(f"count: at least 2 samples are needed, {count!r} arrived")
     return np.linspace(start, end, count)
 
