@@ -9,7 +9,7 @@ ENGINES := $(VENV)/.engines
 SPREAD := -n auto --dist loadfile
 SOURCES := pyproject.toml CMakeLists.txt $(shell find src generated -name '*.c' -o -name '*.h')
 
-.PHONY: help derive check-generated latex paper verify figures test lint bench census clean
+.PHONY: help derive check-generated latex paper verify figures test verify-long lint bench census clean
 
 help: ## this list
 	@awk -F ':.*## ' '/^[a-z-]+:.*## /{printf "make %-16s %s\n", $$1, $$2}' $(MAKEFILE_LIST)
@@ -47,6 +47,10 @@ figures: $(ENGINES) ## the paper's figures and the robot with its screws, into d
 test: $(ENGINES) check-generated ## all tests on both backends, the freshness of generated/ and the wheel
 	@KLEINFORM_BACKEND=numpy $(BIN)/python -m pytest $(SPREAD) tests/kernels tests/runtime tests/motion --deselect tests/runtime/test_wheel.py
 	@$(BIN)/python -m pytest $(SPREAD)
+
+verify-long: $(ENGINES) ## the searches among the tests with their large counts, on both backends
+	@KLEINFORM_LONG=1 KLEINFORM_BACKEND=numpy $(BIN)/python -m pytest $(SPREAD) -m long tests/kernels tests/runtime tests/motion
+	@KLEINFORM_LONG=1 $(BIN)/python -m pytest $(SPREAD) -m long
 
 lint: $(READY) ## ruff and mypy
 	$(BIN)/ruff check .

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from typing import NamedTuple
 
 import numpy as np
@@ -12,6 +13,11 @@ LIMB_ANGLES = np.deg2rad([0.0, 120.0, 240.0])
 #: The axes u_i of the base revolutes, a row each.
 BASE_AXES = np.array([[np.cos(angle), np.sin(angle), 0.0] for angle in LIMB_ANGLES])
 DISTANCES = (1e-3, 1e-5, 1e-7, 1e-9)
+
+
+def many(sample: int, long: int) -> int:
+    """How many cases a search takes: a sample, or all of them in `make verify-long`."""
+    return long if os.environ.get("KLEINFORM_LONG") == "1" else sample
 
 
 class Case(NamedTuple):
