@@ -186,7 +186,7 @@ def double_root_within(joints: np.ndarray, directions: np.ndarray) -> float:
     """
     with mpmath.workdps(30):
         exact = [mpmath.mpf(value) for value in joints.tolist()]
-        n = [[mpmath.mpf(entry) for entry in row] for row in directions[:2].tolist()]
+        n = unit_pair([[mpmath.mpf(entry) for entry in row] for row in directions[:2].tolist()])
         weights = None
         for _ in range(4):
             local = mpmath_kernels.fold(1, exact, n)
@@ -210,6 +210,15 @@ def double_root_within(joints: np.ndarray, directions: np.ndarray) -> float:
         height = sum(weights[i] * local.residual[i] for i in range(3))
         slopes = [sum(weights[i] * local.by_joints[i][j] for i in range(3)) for j in range(6)]
         return float(abs(height) / sum(map(abs, slopes)) / EPS)
+
+
+def unit_pair(pair: list[list[mpmath.mpf]]) -> list[list[mpmath.mpf]]:
+    """Unit vectors 120° apart: the first, and the second in the plane of both."""
+    first = [entry / mpmath.norm(pair[0]) for entry in pair[0]]
+    normal = cross(first, pair[1])
+    across = [entry / mpmath.norm(normal) for entry in cross(normal, first)]
+    root = mpmath.sqrt(mpmath.mpf(3)) / 2
+    return [first, [-x / 2 + root * y for x, y in zip(first, across, strict=True)]]
 
 
 def left_null(matrix: mpmath.matrix) -> list[mpmath.mpf]:

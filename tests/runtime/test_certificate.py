@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import sys
+from concurrent.futures import ThreadPoolExecutor
 
 import mpmath
 import numpy as np
@@ -308,3 +309,23 @@ def test_without_python_flint(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(sys.modules, "flint", None)
     with pytest.raises(MissingExtraError, match=r"python-flint: install kleinform\[certify\]"):
         certify(1.0, PAPER, 0.0, np.empty((0, 2, 3), dtype=complex))
+
+
+def test_threads_leave_the_precision_as_it_was() -> None:
+    """python-flint has one precision for the whole process."""
+    from flint import ctx
+
+    before = ctx.prec
+    rng = np.random.default_rng(4)
+    poses = [random_pose(rng) for _ in range(4)]
+
+    def work(number: int) -> list[int]:
+        joints = ROBOT.inverse_displacement(*poses[number])
+        if number == 3:
+            with pytest.raises(TypeError):
+                certify(1.0, joints, None, candidates(joints))
+        return [certified(joints).precision for _ in range(3)]
+
+    with ThreadPoolExecutor(4) as pool:
+        assert list(pool.map(work, range(4))) == [[128] * 3] * 4
+    assert ctx.prec == before

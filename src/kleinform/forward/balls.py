@@ -22,14 +22,12 @@ import numpy as np
 from flint import acb, acb_mat, arb
 from numpy.typing import NDArray
 
-__all__ = ["PRECISION", "Box", "Chart", "enclose", "exact"]
+__all__ = ["Box", "Chart", "enclose", "exact"]
 
 Complex = NDArray[np.complex128]
 Index = NDArray[np.intp]
 Balls = Sequence[acb]
 
-#: Bits.
-PRECISION = 128
 #: Newton's method has converged when its step is below STEP, or below SMALL and no longer
 #: shrinking; relative to 1 + |x|.
 STEP = 1e-13
@@ -101,7 +99,7 @@ def enclose(chart: Chart, start: Complex, label: int) -> Box | None:
     """A box around the solution that Newton's method finds, or None: nothing is proven.
 
     The nearer another solution is, the sharper the center must be: one of double precision
-    serves down to distances of about 1e-6, one of all PRECISION bits is tried after it.
+    serves down to distances of about 1e-6, one of all bits is tried after it.
     """
     try:
         point, inverse = _converged(chart, start)
@@ -154,7 +152,7 @@ def _converged(chart: Chart, point: Complex) -> tuple[Complex, acb_mat]:
 
 
 def _sharper(chart: Chart, point: Complex) -> tuple[list[acb], acb_mat]:
-    """The same in all PRECISION bits."""
+    """The same in all bits of the working precision."""
     identity = acb_mat(np.eye(len(point)).tolist())
     center = exact(point)
     for _ in range(SHARPER_STEPS):

@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.errors import MissingExtraError
+from kleinform.precision import working_precision
 
 if TYPE_CHECKING:
     from kleinform.forward.balls import Box, Chart
@@ -25,6 +25,8 @@ Complex = NDArray[np.complex128]
 
 #: Pairs ±(n_1, n_2), real and complex, of the forward displacement.
 PAIRS = 32
+#: Bits.
+PRECISION = 128
 #: Covers the roundings of one subtraction, one sum and their comparison.
 ROUNDING = 1.0 + 1e-15
 
@@ -88,16 +90,10 @@ def certify(radius: float, joints: Array, tolerance: float, candidates: Complex)
     MissingExtraError
         python-flint is not installed.
     """
-    try:
-        from flint import ctx
-
-        from kleinform.forward import balls, charts
-    except ImportError as error:
-        raise MissingExtraError(
-            "certify=True needs python-flint: install kleinform[certify]"
-        ) from error
     # Approximations may overflow: then nothing is proven.
-    with ctx.workprec(balls.PRECISION), np.errstate(all="ignore"):
+    with working_precision(PRECISION), np.errstate(all="ignore"):
+        from kleinform.forward import charts
+
         problem = charts.Problem.of(radius, joints, tolerance)
         first = _attempt(charts.Directions(problem, candidates), tolerance)
         if first.complete:
@@ -108,7 +104,7 @@ def certify(radius: float, joints: Array, tolerance: float, candidates: Complex)
 
 def _attempt(chart: Chart, tolerance: float) -> Certificate:
     """The certificate of one chart."""
-    from kleinform.forward.balls import PRECISION, enclose
+    from kleinform.forward.balls import enclose
 
     boxes: list[Box] = []
     lost: list[int] = []

@@ -5,17 +5,12 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
+from kleinform.forward.apart import radii_of_directions
 from kleinform.forward.circle import Rows
+from kleinform.forward.folds import folds, split
 from kleinform.forward.found import Found, found, together
 from kleinform.forward.pencil import PAIRS, pairs_of
-from kleinform.forward.polish import (
-    CONVERGED,
-    ROUNDING,
-    folds,
-    polished,
-    split,
-    turn_by,
-)
+from kleinform.forward.polish import CONVERGED, polished, turn_by
 from kleinform.generated import kernels
 
 __all__ = ["by_pencil", "candidates", "mirrored"]
@@ -36,6 +31,8 @@ LONGEST_TURN = 0.1
 FARTHEST = 0.01
 #: Steps to the center of a cluster, and the turn for differences of the gradient there.
 CENTER_STEPS, TURN = 12, 1e-4
+#: Rounding of what three and more solutions leave of the closure equations, in eps.
+ROUNDING = 4.0
 #: Singular values of the gradient below this, relative to the first, vanish at the center.
 VANISHING = 1e-5
 #: Solutions nearer than this belong to one cluster; a cluster of m that should be one point
@@ -211,6 +208,8 @@ def _group(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
         return _multiple(row, pairs, tolerance)
     index = np.zeros(1, dtype=np.int64)
     near = folds(row, index, center[np.newaxis], tolerance)
+    if near.hidden[0]:
+        return None
     if near.lost[0] or abs(near.directions[0] - center).max() > FARTHEST:
         return _couple(row, pairs)
     if near.merged[0]:
@@ -273,10 +272,14 @@ def _center(row: Rows, directions: Array) -> Array | None:
 
 
 def _couple(row: Rows, pairs: Complex) -> Modes | None:
-    """Two solutions close together that are no fold: each on its own, if they are two."""
-    if abs(pairs[0] - pairs[1]).max() <= SAME:
+    """Two solutions close together that are no fold: each in a ball of its own, or None."""
+    real: Mask = np.max(abs(pairs.imag), axis=(1, 2)) <= REAL
+    points = np.where(real[:, np.newaxis, np.newaxis], pairs.real, pairs)
+    points, _ = polished_pairs(row, points[np.newaxis], NEWTON)
+    radii = radii_of_directions(row, points[0])
+    if not abs(points[0, 0] - points[0, 1]).max() > radii.sum():
         return None
-    first, second = (_single(row, pair) for pair in pairs)
-    if first is None or second is None:
+    if not (real | (abs(points[0].imag).max(axis=(1, 2)) > radii)).all():
         return None
-    return first[0] + second[0], first[1] + second[1]
+    modes = [point.real for point in points[0][real]]
+    return modes, [1] * len(modes)

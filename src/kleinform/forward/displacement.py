@@ -11,9 +11,18 @@ from kleinform.errors import InputError, ShapeError
 from kleinform.forward.cases import in_plane_exactly, zero_leg
 from kleinform.forward.circle import Rows
 from kleinform.forward.clusters import candidates, mirrored
-from kleinform.forward.found import found
+from kleinform.forward.found import found, nothing
 from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
-from kleinform.forward.solve import INVALID, STATUS, UNDECIDED, completed, solve, unit_size
+from kleinform.forward.solve import (
+    INFINITE,
+    INVALID,
+    STATUS,
+    UNDECIDED,
+    Solved,
+    completed,
+    solve,
+    unit_size,
+)
 from kleinform.generated import kernels
 from kleinform.joints import TOLERANCE, screened_joints
 from kleinform.screening import Errors, is_whole, lead_of, real_array
@@ -108,7 +117,10 @@ def _checked_tolerance(tolerance: float) -> float:
 
 
 def _certified(radius: float, modes: AssemblyModes) -> AssemblyModes:
-    """The modes with their certificate, which also decides what rounding hides."""
+    """The modes with their certificate, which also decides what rounding hides.
+
+    Where the two cannot be made to agree no mode is listed.
+    """
     from kleinform.forward.certificate import certify
 
     row = rows_of(np.array([radius]), modes.joints[np.newaxis])
@@ -120,15 +132,20 @@ def _certified(radius: float, modes: AssemblyModes) -> AssemblyModes:
         proof = certify(radius, modes.joints, modes.tolerance, pairs)
     if proof.complete and (modes.status == STATUS[UNDECIDED] or proof.real != len(modes)):
         proven = found(np.zeros(proof.real, np.int64), proof.centers[proof.is_real].real, 1)
-        solved = completed(row, proven)
-        agreed = proof.chart == "directions" and solved.status[0] != UNDECIDED
-        status = STATUS[solved.status[0] if agreed else UNDECIDED]
-        modes = replace(
-            modes,
-            **{name: getattr(solved, name)[: proof.real if agreed else 0] for name in LISTED},
-            status=status,
-        )
+        agreed = proof.chart == "directions"
+        modes = _relisted(modes, completed(row, proven), agreed)
+    # Each real box holds a mode that is simple for all joint values within the tolerance.
+    elif modes.status != STATUS[INFINITE] and proof.real > np.sum(modes.multiplicity == 1):
+        modes = _relisted(modes, completed(row, nothing()), agreed=False)
     return replace(modes, certificate=proof)
+
+
+def _relisted(modes: AssemblyModes, solved: Solved, agreed: bool) -> AssemblyModes:
+    """Other modes of the same joint values, or none, undecided."""
+    decided = agreed and solved.status[0] != UNDECIDED
+    count = len(solved.row) if decided else 0
+    status = STATUS[solved.status[0] if decided else UNDECIDED]
+    return replace(modes, **{name: getattr(solved, name)[:count] for name in LISTED}, status=status)
 
 
 def _by_homotopy(row: Rows) -> NDArray[np.complex128]:

@@ -7,10 +7,12 @@ from numpy.typing import NDArray
 
 from kleinform.forward.cases import near_plane
 from kleinform.forward.circle import Circles, Rows, circles_of, fourier, turned
+from kleinform.forward.folds import folds, split
 from kleinform.forward.found import Found, found, nothing, some, together
 from kleinform.forward.isolate import Zeros, isolate
-from kleinform.forward.polish import folds, on_leg, relabelled_back, split, starts
+from kleinform.forward.polish import on_leg, relabelled_back, starts
 from kleinform.generated import kernels
+from kleinform.joints import TOLERANCE
 
 __all__ = ["by_eliminant"]
 
@@ -32,7 +34,8 @@ SAME_MODE = 1e-9
 NEARBY = 0.01
 #: Modes on the two sides of a fold are that near to it, or it is not the fold of these modes.
 FARTHEST = 0.05
-#: Zeros nearer than this times the root of the tolerance may merge within it.
+#: Zeros nearer than this times the root of the tolerance may merge within it; that of joint
+#: values which were rounded to float64 covers the rounding of the eliminant too.
 CLOSE = 1000.0
 #: Any vector: (w·n_1)² puts modes in an order in which a mode and its copy, or that of −n,
 #: are neighbours.
@@ -64,7 +67,7 @@ def _attempt(rows: Rows, rank: int, tolerance: float) -> tuple[Found, Mask]:
     coefficients[~good] = 0.0
     coefficients[~good, 0] = 1.0
     zeros = isolate(coefficients, np.where(good, ROUNDING * rest, 0.0) + LEAST_ROUNDING)
-    zeros = _joined(zeros, tolerance)
+    zeros = _joined(zeros, max(tolerance, TOLERANCE))
     clusters = np.bincount(zeros.row[~zeros.simple], minlength=len(rows))
     good &= clusters <= MOST_CLUSTERS
     zeros = Zeros._make(entry[good[zeros.row]] for entry in zeros)
@@ -121,7 +124,9 @@ def _clusters(
         _turn(circles.psi(row, _base_angle(rows, circles, row, near.directions)) - zeros.guess)
     )
     flat = np.asarray(near_plane(rows).any(axis=1))
-    lost = near.lost | ~(away <= np.minimum(NEARBY, zeros.high - zeros.low)) | flat[row]
+    lost = (
+        near.lost | near.hidden | ~(away <= np.minimum(NEARBY, zeros.high - zeros.low)) | flat[row]
+    )
     lost |= near.apart & ~(near.reach <= FARTHEST)
     # Cells side by side may lead to the same fold.
     again = np.zeros(len(row), dtype=bool)

@@ -10,7 +10,8 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.forward.cases import near_plane
+from kleinform.forward.apart import radii_of_angles
+from kleinform.forward.cases import near_plane, reach_of
 from kleinform.forward.chords import leg_angles
 from kleinform.forward.circle import Circles, Rows, relabel
 from kleinform.forward.found import Found, together
@@ -25,9 +26,9 @@ Integers = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
 #: Newton's steps: the eigenvalues alone are far off where C is near the circle of a leg.
-STEPS = 40
-#: Newton's last step where it has converged; angles that are nearer than SAME are one.
-CONVERGED, SAME = 1e-9, 1e-7
+STEPS, LAST_STEPS = 40, 3
+#: Where the imaginary part of an angle is smaller, the real part alone is tried.
+NEARLY_REAL = 1e-7
 
 
 def by_circles(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
@@ -49,11 +50,13 @@ def by_circles(rows: Rows, tolerance: float) -> tuple[Found, Mask]:
             pairs = pairs_of(rows[left], (base[left] + shift) % 3, start, STEPS)
             for index, number in enumerate(left):
                 own = int(number)
-                if shift == 0:
-                    known[own].add(pairs, index, start)
-                else:
-                    directions = pairs.directions[index]
-                    known[own].add(_chords(rows[[own]], base[[own]], directions, start), 0, start)
+                directions = pairs.directions[index]
+                halves = (
+                    _chords(rows[[own]], base[[own]], directions, start)
+                    if shift
+                    else (pairs.half_tangents[index])
+                )
+                known[own].add(*_enclosed(rows[[own]], base[[own]], halves, start))
                 if len(known[own].angles) == PAIRS:
                     solved[own] = True
                     parts.append(known[own].modes(own, int(base[own])))
@@ -80,15 +83,40 @@ def _polished(rows: Rows, base: Integers, modes: Found) -> Found:
     return Found(row, relabelled_back(chosen, own), modes.multiplicity, extension)
 
 
-def _chords(row: Rows, base: Integers, directions: Complex, start: int) -> Pairs:
-    """Solutions from directions that another pencil found: both B of a leg that has two."""
+def _chords(row: Rows, base: Integers, directions: Complex, start: int) -> Complex:
+    """Half tangents from directions that another pencil found: both B of a leg that has two."""
     position, lengths = (entry[0] for entry in relabel(row, base))
     pairs = relabelled(directions, np.repeat(base, len(directions)))
     with np.errstate(all="ignore"):
         angles, _ = leg_angles(float(row.radius[0]), position, lengths, pairs)
         halves = np.tan((angles - np.array(STARTS[start])) / 2.0)
+    solutions: Complex = _refined(row, base, halves, start, STEPS).half_tangents[0]
+    return solutions
+
+
+def _refined(row: Rows, base: Integers, halves: Complex, start: int, steps: int) -> Pairs:
     tables = tables_of(row, base, start)
-    return refined(tables, base, halves[np.newaxis, :, 0], halves[np.newaxis, :, 1], STEPS)
+    return refined(tables, base, halves[np.newaxis, :, 0], halves[np.newaxis, :, 1], steps)
+
+
+def _enclosed(
+    row: Rows, base: Integers, halves: Complex, start: int
+) -> tuple[Pairs, Complex, Array]:
+    """Solutions, their angles (P, 2), and how far each may be off, inf where none is proven.
+
+    A solution that is almost real is proven at a real point, or not at all.
+    """
+    with np.errstate(all="ignore"):
+        angles = 2.0 * np.arctan(halves)
+        real: Mask = np.max(abs(angles.imag), axis=1) <= NEARLY_REAL
+    points = np.where(real[:, np.newaxis], halves.real, halves)
+    pairs = _refined(row, base, points, start, LAST_STEPS)
+    reaches = np.take_along_axis(reach_of(row), (base[:, np.newaxis] + np.arange(3)) % 3, axis=1)
+    found = radii_of_angles(tables_of(row, base, start), reaches, pairs.half_tangents)[0]
+    with np.errstate(all="ignore"):
+        angles = 2.0 * np.arctan(pairs.half_tangents[0]) + np.array(STARTS[start])
+        known = real | (abs(angles.imag).max(axis=1) > found)
+    return pairs, angles, np.where(known, found, np.inf)
 
 
 class Distinct:
@@ -97,20 +125,23 @@ class Distinct:
     def __init__(self) -> None:
         self.angles: list[Complex] = []
         self.directions: list[Complex] = []
+        self.radii: list[float] = []
         self.extension: list[Complex] = []
 
-    def add(self, pairs: Pairs, index: int, start: int) -> None:
-        """Those of one pencil that have converged and are not known yet."""
-        angles = 2.0 * np.arctan(pairs.half_tangents[index]) + np.array(STARTS[start])
-        for number in np.flatnonzero(pairs.step[index] <= CONVERGED):
-            if all(_apart(angles[number], other) > SAME for other in self.angles):
+    def add(self, pairs: Pairs, angles: Complex, radius: Array) -> None:
+        """Those of one pencil that are proven, and apart from all that are known."""
+        for number in np.flatnonzero(np.isfinite(radius)):
+            gaps = [_apart(angles[number], other) for other in self.angles]
+            reach = radius[number] + np.array(self.radii)
+            if (np.array(gaps) > reach).all():
                 self.angles.append(angles[number])
-                self.directions.append(pairs.directions[index, number])
-                self.extension.append(pairs.extension[index, number])
+                self.radii.append(radius[number])
+                self.directions.append(pairs.directions[0, number])
+                self.extension.append(pairs.extension[0, number])
 
     def modes(self, row: int, base: int) -> Found:
         """The real ones."""
-        real = [i for i, angles in enumerate(self.angles) if abs(angles.imag).max() <= SAME]
+        real = [i for i, angles in enumerate(self.angles) if not angles.imag.any()]
         extension = np.full((len(real), 3), np.nan)
         carried = (base + np.arange(2)) % 3
         extension[:, carried] = np.array([self.extension[i].real for i in real]).reshape(-1, 2)

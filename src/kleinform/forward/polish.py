@@ -1,15 +1,6 @@
-"""From an angle of the base leg to an assembly mode: Newton's method, and folds.
-
-A fold is where two modes meet: the three gradients G_i of the closure equations by a turn
-of the platform are coplanar. Near one, along the direction ``v`` that they leave free,
-``y·F`` is a parabola ``height + bend s²/2``. Its height decides: of one sign there are two
-modes, of the other none, and within what the joint values' tolerance can move it the two
-have merged.
-"""
+"""From an angle of the base leg to an assembly mode: Newton's method."""
 
 from __future__ import annotations
-
-from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,14 +9,12 @@ from kleinform.forward.circle import Circles, Rows, Vectors, turned
 from kleinform.generated import kernels
 
 __all__ = [
-    "Folds",
-    "folds",
     "on_leg",
     "polished",
     "relabelled",
     "relabelled_back",
-    "split",
     "starts",
+    "turn_by",
     "unlabelled",
 ]
 
@@ -35,19 +24,10 @@ Mask = NDArray[np.bool_]
 
 EPS = float(np.finfo(np.float64).eps)
 STEPS = 6
-FOLD_STEPS = 8
 #: Newton's last step in angle when it has converged: the next one would be its square.
 CONVERGED = 1e-9
 #: Where it has not to be looked at one by one, it goes on until a step is rounding.
 SETTLED = 1e-14
-#: A mode beside a fold has converged when Newton's last step is below this, relative to its
-#: distance from the fold.
-SIDE = 0.05
-#: Rounding of the height of a fold, in eps times what a relative change of all joint values
-#: by 1 does to it: 0.14 at the median of random folds, 2.2 at most.
-ROUNDING = 4.0
-#: A fold is where the second singular value of G is above this, relative to the first.
-CORANK_ONE = 1e-5
 
 
 def starts(rows: Rows, circles: Circles, row: Integers, psi: Array) -> tuple[Array, Array]:
@@ -131,96 +111,6 @@ def polished(
         if (size <= SETTLED).all():
             break
     return directions, size <= allowed
-
-
-@dataclass(frozen=True)
-class Folds:
-    """Folds that were found: directions at each, and its parabola.
-
-    ``merged`` where the tolerance covers the height, ``apart`` where there are two modes at
-    ``±reach`` along ``free``, ``lost`` where no fold was found or rounding hides the height.
-    """
-
-    directions: Array
-    free: Array
-    reach: Array
-    merged: Mask
-    apart: Mask
-    lost: Mask
-
-
-def folds(rows: Rows, row: Integers, directions: Array, tolerance: float) -> Folds:
-    """Find the fold nearest to some directions, and decide on which side of it the row is."""
-    radius, joints = rows.radius[row], rows.joints[row]
-    aside = np.zeros(len(row))
-    toward = None
-    for _ in range(FOLD_STEPS):
-        local = kernels.fold(radius, joints, directions)
-        if toward is None:
-            toward = _left(local.gradient)
-        matrix = np.zeros((len(row), 4, 4))
-        matrix[:, :3, :3], matrix[:, :3, 3] = local.gradient, -toward
-        matrix[:, 3, :3] = local.volume_gradient
-        side = np.concatenate(
-            [local.residual - aside[:, np.newaxis] * toward, local.volume[:, np.newaxis]], axis=1
-        )
-        step = _solved(matrix, -side)
-        directions = turn_by(directions, step[:, :3])
-        aside = aside + step[:, 3]
-    return _judged(kernels.fold(radius, joints, directions), directions, step, tolerance)
-
-
-def _left(gradient: Array) -> Array:
-    """The unit combination y of the closure equations that a turn changes least."""
-    return np.linalg.svd(np.where(np.isfinite(gradient), gradient, 0.0))[0][:, :, 2]
-
-
-def _solved(matrix: Array, side: Array) -> Array:
-    """Solutions of small systems, NaN where one is singular."""
-    good = np.asarray(np.isfinite(matrix).all((1, 2)) & np.isfinite(side).all(1))
-    good[good] = np.linalg.det(matrix[good]) != 0.0
-    result = np.full(side.shape, np.nan)
-    result[good] = np.linalg.solve(matrix[good], side[good][..., np.newaxis])[..., 0]
-    return result
-
-
-def _judged(local: kernels.Fold, directions: Array, step: Array, tolerance: float) -> Folds:
-    finite = np.asarray(np.isfinite(local.gradient).all((1, 2)) & np.isfinite(step).all(1))
-    left, singular, right = np.linalg.svd(
-        np.where(finite[:, np.newaxis, np.newaxis], local.gradient, 0.0)
-    )
-    y, free = left[:, :, 2], right[:, 2]
-    sign = np.sign(np.linalg.det(left) * np.linalg.det(right))
-    with np.errstate(divide="ignore", invalid="ignore"):
-        bend = np.einsum("ki,ki->k", local.volume_gradient, free) * sign
-        bend /= singular[:, 0] * singular[:, 1]
-        height = np.einsum("ki,ki->k", y, local.residual)
-        moved = np.einsum("ki,kij->kj", y, local.by_joints)
-        scale = abs(moved).sum(axis=1)
-        reach = np.sqrt(-2.0 * height / bend)
-        lost = ~finite | ~(np.linalg.norm(step[:, :3], axis=1) <= 1e-9)
-        lost |= ~(singular[:, 1] >= CORANK_ONE * singular[:, 0]) | ~(abs(bend) > 0.0)
-    merged = ~lost & (tolerance > 0.0) & (abs(height) <= tolerance * scale)
-    # Rounding hides on which side of the fold the row is.
-    lost |= ~merged & (abs(height) <= ROUNDING * EPS * scale)
-    apart = ~lost & ~merged & (height * bend < 0.0)
-    return Folds(directions, free, reach, merged, apart, lost)
-
-
-def split(rows: Rows, row: Integers, near: Folds, which: Mask) -> tuple[Array, Mask]:
-    """The two modes (2, K, 2, 3) beside some of the folds, and where both are sure (2, K).
-
-    The nearer two modes are, the less sharply rounding leaves them defined; what counts is
-    that each stays on its side of the fold.
-    """
-    center, reach = near.directions[which], near.reach[which]
-    turn = reach[:, np.newaxis] * near.free[which]
-    start = np.concatenate([turn_by(center, turn), turn_by(center, -turn)])
-    allowed = np.tile(SIDE * reach, 2)
-    directions, converged = polished(rows, np.tile(row[which], 2), start, allowed)
-    moved = abs(directions - start).max(axis=(1, 2))
-    sure = converged & (moved <= np.tile(reach, 2) * 0.5)
-    return directions.reshape(2, -1, 2, 3), sure.reshape(2, -1)
 
 
 def turn_by(directions: Array, turn: Array) -> Array:

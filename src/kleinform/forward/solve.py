@@ -25,6 +25,7 @@ if kernels.BACKEND == "compiled":
         raise BackendError(f"compiled only in part: {error}; reinstall kleinform") from error
 
 __all__ = [
+    "INFINITE",
     "INVALID",
     "STATUS",
     "UNDECIDED",
@@ -146,12 +147,16 @@ def _block(rows: Rows, tolerance: float) -> tuple[Found, Integers]:
     flat = near_plane(rows).any(axis=1)
     planes = near_plane(rows, IN_PLANE).sum(axis=1)
     ordinary = ~(infinite | pointlike)
-    status = np.select([infinite, pointlike], [INFINITE, REGULAR], UNDECIDED)
+    # Without a tolerance nothing says that equations agree: only that they do not.
+    sharp = tolerance == 0.0
+    status = np.where(infinite & (not sharp), INFINITE, UNDECIDED)
     parts = []
     for number in np.flatnonzero(pointlike):
         limb = int(np.argmax(zero[number]))
         directions = by_zero_leg(rows[[int(number)]], limb, tolerance)
-        parts.append(found(np.full(len(directions), number), directions, 2))
+        if not (sharp and len(directions)):
+            status[number] = REGULAR
+            parts.append(found(np.full(len(directions), number), directions, 2))
     ways = (
         # Two legs with C in their planes: the eliminant of one is a square.
         (ordinary & (planes < 2), by_eliminant),

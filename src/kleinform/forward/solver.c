@@ -28,6 +28,8 @@
 #define EDGE 1e-7
 #define SAME_MODE 1e-9
 #define CLOSE 1000.0
+/* joints.py: that of joint values which were rounded to float64. */
+#define LEAST_TOLERANCE (4.0 * EPS)
 #define FARTHEST 0.05
 /* Where n_1 turns less with psi than this, zeros must be as much farther apart. */
 #define SLOW 0.1
@@ -639,7 +641,7 @@ int VARIANT_OF(kleinform_solver)(
     const struct given *given, int64_t *count, struct modes *modes)
 {
     struct work *work = malloc(sizeof *work);
-    const double near = CLOSE * sqrt(given->tolerance);
+    const double near = CLOSE * sqrt(larger(given->tolerance, LEAST_TOLERANCE));
     int enough = work != NULL;
     if (enough)
         work->near = near < FARTHEST ? near : FARTHEST;

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 
 from kleinform.forward.cases import reach_of, zero_leg
 from kleinform.forward.circle import AXES, Rows, relabel, turned
+from kleinform.forward.folds import rounding_of_equations
 from kleinform.forward.polish import unlabelled
 from kleinform.generated import kernels
 
@@ -98,6 +99,8 @@ def _fitted(radius: Array, position: Array, lengths: Array, frame: Array, phi: f
 def _closes(row: Rows, limb: int, directions: Array, tolerance: float) -> bool:
     """Whether the other two equations agree, for joint values within the tolerance.
 
+    Without a tolerance, whether they may: the difference is within a bound on its rounding.
+
     Of the two a combination is left that the turn about n_i does not change. What a relative
     change of the joint values by 1 does to it bounds what the tolerance, and rounding, can do.
     """
@@ -120,4 +123,5 @@ def _closes(row: Rows, limb: int, directions: Array, tolerance: float) -> bool:
     y = np.zeros(3)
     y[first], y[second] = slope[second], -slope[first]
     y[zero] = 0.0
-    return bool(abs(y @ local.residual) <= slack * (abs(y) @ scale))
+    allowed = rounding_of_equations(row)[0] if tolerance == 0.0 else slack * scale
+    return bool(abs(y @ local.residual) <= abs(y) @ allowed)

@@ -17,11 +17,14 @@ except ModuleNotFoundError as missing:  # pragma: no cover
 
 from scipy.spatial.transform import Rotation
 
+from kleinform.precision import working_precision
 from kleinform_kernels.uncoupled import arb_kernels
 
 __all__ = ["signs_stay"]
 
 Array = NDArray[np.float64]
+#: Bits.
+PRECISION = 53
 #: A stretch of the turn is halved at most so often.
 DEPTH = 14
 
@@ -39,6 +42,12 @@ def signs_stay(radius: float, position: Array, start: Array, end: Array) -> bool
     one = Rotation.from_matrix(start)
     vector = (Rotation.from_matrix(end) * one.inv()).as_rotvec()
     first = arb_mat([[arb(float(entry)) for entry in row] for row in start])
+    with working_precision(PRECISION):
+        return _definite_along(radius, position, first, vector)
+
+
+def _definite_along(radius: float, position: Array, first: arb_mat, vector: Array) -> bool:
+    """Halve the turn until all factors are of one sign on every stretch of it."""
     stretches = [(0.0, 1.0, 0)]
     while stretches:
         low, high, depth = stretches.pop()

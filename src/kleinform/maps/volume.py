@@ -8,11 +8,11 @@ from math import fsum
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.errors import MissingExtraError
 from kleinform.limits import Limits
 from kleinform.maps.panels import examine
 from kleinform.maps.patches import PRECISION, Patch, extent, patches_of
 from kleinform.maps.quadrics import constraints_of, slabs_of
+from kleinform.precision import working_precision
 
 __all__ = ["Volume", "volume_of"]
 
@@ -83,19 +83,15 @@ class Sheet:
 
 def volume_of(radius: float, rotation: Array, limits: Limits, relative: float) -> Volume:
     """The volume of the workspace of one orientation, as `Workspace.volume` says."""
-    try:
-        from flint import arb, ctx
-    except ImportError as missing:
-        raise MissingExtraError(
-            "a proven volume needs python-flint: install kleinform[certify]"
-        ) from missing
-    with ctx.workprec(PRECISION):
+    with working_precision(PRECISION):
+        from flint import arb
+
         slabs = slabs_of(radius, rotation, limits, arb)
         constraints = constraints_of(radius, rotation, limits, arb)
     sides = [np.diff(extent(slabs, axis)).item() for axis in np.eye(3)]
     if min(sides) <= 0.0:
         return Volume(0.0, 0.0, True, 0)
-    with ctx.workprec(PRECISION):
+    with working_precision(PRECISION):
         patches = patches_of(constraints, slabs)
     with np.errstate(all="ignore"):
         return _refined([patch for patch in patches if patch.low < patch.high], relative, sides)
