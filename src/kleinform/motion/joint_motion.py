@@ -8,7 +8,7 @@ import numpy as np
 from numpy.polynomial import polynomial
 from numpy.typing import ArrayLike, NDArray
 
-from kleinform.joints import checked_joints
+from kleinform.joints import checked_joints, unwrapped
 from kleinform.motion.clock import checked_span, even_times
 from kleinform.motion.function import FunctionOfTime
 from kleinform.motion.states import JOINT_SHAPES, JointStates
@@ -83,15 +83,16 @@ def rest_to_rest_coefficients(start: ArrayLike, end: ArrayLike, duration: float)
     Parameters
     ----------
     start, end : array_like (6,)
-        Joint values q1 ... q6; a full turn of q4 is a full turn.
+        Joint values q1 ... q6; q4 goes the shorter way round.
     duration : float
         [s].
     """
     checked_span(0.0, duration)
     first, last = checked_joints(start), checked_joints(end)
-    first, last = real_array("start", first, (6,)), real_array("end", last, (6,))
-    coefficients = np.outer(last - first, SMOOTH_STEP / duration ** np.arange(6.0))
-    coefficients[:, 0] = first
+    ends = np.stack([real_array("start", first, (6,)), real_array("end", last, (6,))])
+    ends[:, 3] = unwrapped(ends[:, 3])
+    coefficients = np.outer(ends[1] - ends[0], SMOOTH_STEP / duration ** np.arange(6.0))
+    coefficients[:, 0] = ends[0]
     return coefficients
 
 

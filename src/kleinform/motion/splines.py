@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kleinform.errors import MissingExtraError
-from kleinform.joints import checked_joints
+from kleinform.errors import InputError, MissingExtraError
+from kleinform.joints import checked_joints, unwrapped
 from kleinform.motion.clock import increasing_times, over_time, values_at
 from kleinform.motion.joint_motion import JointMotion
 from kleinform.motion.pose_motion import PoseMotion
@@ -37,9 +37,10 @@ def through_joints(times: ArrayLike, joints: ArrayLike) -> JointMotion:
     times : array_like (T,)
         Increasing [s], T >= 2.
     joints : array_like (T, 6)
+        q4 goes the shorter way round from each to the next.
     """
     when = increasing_times(times, 2)
-    points = checked_joints(over_time("joints", joints, (6,), when))
+    points = _waypoints(over_time("joints", joints, (6,), when))
     rest = [(1, np.zeros(6)), (2, np.zeros(6))]
     return _joint_motion(make_interp_spline(when, points, k=5, bc_type=(rest, rest)), when)
 
@@ -53,11 +54,17 @@ def interpolated(states: JointStates) -> JointMotion:
     Parameters
     ----------
     states : JointStates
-        At least two samples.
+        At least two samples; q4 goes the shorter way round from each to the next.
+
+    Raises
+    ------
+    InputError
+        The rates and accelerations of q4 make more than half a turn more or less of it.
     """
     when = increasing_times(states.times, 2)
     orders = values_at(lambda _: tuple(states[1:]), when, JOINT_SHAPES)
-    checked_joints(orders[0])
+    orders[0] = _waypoints(orders[0])
+    _refuse_other_turns(when, *(order[:, 3] for order in orders))
     return _joint_motion(BPoly.from_derivatives(when, np.stack(orders, axis=1)), when)
 
 
@@ -93,6 +100,30 @@ def through_poses(times: ArrayLike, positions: ArrayLike, rotations: RotationLik
         return place(at), matrices, twists, np.concatenate([angular, place(at, 2)], axis=1)
 
     return PoseMotion(function, float(when[0]), float(when[-1]))
+
+
+def _waypoints(joints: Array) -> Array:
+    """Checked joint values (T, 6) whose q4 counts turns."""
+    points = checked_joints(joints).copy()
+    points[:, 3] = unwrapped(points[:, 3])
+    return points
+
+
+def _refuse_other_turns(when: Array, azimuth: Array, rate: Array, acceleration: Array) -> None:
+    """Refuse samples between which the rates of q4 make other turns than the shorter way."""
+    spans, steps = np.diff(when), np.diff(azimuth)
+    # Hermite's rule: exact where the rate is a cubic.
+    made = spans * (rate[1:] + rate[:-1]) / 2.0 - spans**2 * np.diff(acceleration) / 12.0
+    bad = np.append(False, ~(abs(steps - made) <= np.pi))
+    if bad.any():
+        k = int(np.argmax(bad))
+        raise InputError(
+            f"rates: sample {k}: q4 goes by {steps[k - 1]:.6g} rad from sample {k - 1}, the "
+            f"shorter way round from {azimuth[k - 1]:.6g} to {azimuth[k]:.6g}, but its rates and "
+            f"accelerations make {made[k - 1]:.6g} rad of it in {spans[k - 1]:.6g} s: less than "
+            "half a turn from one sample to the next is needed",
+            bad,
+        )
 
 
 def _joint_motion(spline: Any, when: Array) -> JointMotion:
