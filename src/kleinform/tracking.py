@@ -110,7 +110,7 @@ def _reach(radius: float, stretch: Array, directions: Array) -> Array | None:
 
 def _changes(stretch: Array) -> Array:
     """How far each sample of a stretch is from its first, q4 the shorter way round."""
-    changes = stretch - stretch[0]
+    changes: Array = stretch - stretch[0]
     changes[:, 3] = unwrapped(stretch[:, 3]) - stretch[0, 3]
     return changes
 
