@@ -4,8 +4,9 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
+from scipy.spatial.transform import Rotation
 
-from kleinform import InputError, UncoupledManipulator, rotation_from_rpy
+from kleinform import InputError, TrackingError, UncoupledManipulator, rotation_from_rpy
 from kleinform.motion import (
     JointStates,
     PlatformStates,
@@ -109,6 +110,29 @@ def test_a_mode_is_followed_the_shorter_way() -> None:
             ROBOT.track(joints, START), ROBOT.track(counted, START), strict=True
         ):
             assert abs(wrapped - straight).max() <= 1e-12
+
+
+@pytest.mark.long
+def test_a_segment_across_the_jump_goes_the_shorter_way() -> None:
+    """From one side of the jump to the other, the platform tilted and turning: ways of q4
+    round the base would lead through singularities."""
+    rng, found = np.random.default_rng(58), 0
+    while found < many(3, 40):
+        tilt, turn = 0.6 * rng.normal(size=3), 0.25 * rng.normal(size=3)
+        start = Rotation.from_rotvec(tilt)
+        angles = np.pi + rng.uniform(0.05, 1.0, 2) * [-1.0, 1.0]
+        radii, heights = rng.uniform(0.2, 1.2, 2), rng.uniform(0.6, 1.5, 2)
+        places = np.stack([radii * np.cos(angles), radii * np.sin(angles), heights], axis=1)
+        turns = np.stack([start.as_matrix(), (Rotation.from_rotvec(turn) * start).as_matrix()])
+        joints = ROBOT.inverse_displacement(places, turns)
+        counted = joints.copy()
+        counted[1, 3] += 2.0 * np.pi
+        try:
+            wanted = ROBOT.track(counted, start)
+        except TrackingError:
+            continue
+        assert abs(ROBOT.track(joints, start)[1] - wanted[1]).max() <= 1e-12
+        found += 1
 
 
 @pytest.mark.long

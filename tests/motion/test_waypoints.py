@@ -81,12 +81,24 @@ def test_what_preserves_shape_meets_waypoints_with_continuous_rates() -> None:
 
 
 def test_the_swing_of_a_recording_is_told() -> None:
-    points = HOME + np.outer([0.0, 0.02, 0.05, 0.07, 0.1], [1.0, 0.0, 0.0, 0.0, 0.0, 0.0])
-    with pytest.warns(MotionWarning, match=r"q1 by 5\.25e\+03 m \(their way is 0\.1 m\)") as told:
+    points = np.tile(HOME, (5, 1))
+    points[:, 0] += [0.0, 0.02, 0.05, 0.07, 0.1]
+    with pytest.warns(MotionWarning, match=r"q1 by 5\.25e\+03 m \(of a way of 0\.1\)") as told:
         motion = through_joints(UNEVEN, points)
     assert told[0].filename == __file__
     assert not motion.overshoot[1:].any()
     assert not through_joints(UNEVEN, points, shape_preserving=True).overshoot.any()
+
+
+def test_the_swing_of_poses_is_told() -> None:
+    points = np.tile([0.25, 0.2, 1.0], (5, 1))
+    points[:, 0] += [0.0, 0.02, 0.05, 0.07, 0.1]
+    with pytest.warns(MotionWarning, match=r"x by 154 m \(of a way of 0\.1\)") as told:
+        motion = through_poses(UNEVEN, points, np.broadcast_to(np.eye(3), (5, 3, 3)))
+    assert told[0].filename == __file__
+    x = motion.at(dense(UNEVEN).ravel()).positions[:, 0]
+    beyond = max(x.max() - points[:, 0].max(), points[:, 0].min() - x.min())
+    assert abs(motion.overshoot - [beyond, 0.0, 0.0]).max() <= 1e-5 * beyond
 
 
 @pytest.mark.parametrize("duration", [1e-300, 1e-100, 1e-60, 1e62, 1e100, 1e300])

@@ -11,7 +11,7 @@ from kleinform.motion.joint_motion import (
 from kleinform.motion.pose_motion import PoseMotion
 from kleinform.motion.states import JointStates, PlatformStates, PointStates
 from kleinform.motion.watch import Meeting, Watch
-from kleinform.motion.waypoints import WaypointMotion
+from kleinform.motion.waypoints import WaypointMotion, WaypointPoseMotion
 
 if TYPE_CHECKING:
     from kleinform.motion.splines import interpolated, through_joints, through_poses
@@ -25,6 +25,7 @@ __all__ = [
     "PoseMotion",
     "Watch",
     "WaypointMotion",
+    "WaypointPoseMotion",
     "interpolated",
     "polynomials",
     "rest_to_rest",

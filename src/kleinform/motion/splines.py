@@ -14,9 +14,14 @@ from kleinform.errors import InputError, MissingExtraError
 from kleinform.joints import checked_joints, unwrapped
 from kleinform.motion.clock import increasing_times, over_time, refuse_wild_motions, values_at
 from kleinform.motion.joint_motion import JointMotion
-from kleinform.motion.pose_motion import PoseMotion
 from kleinform.motion.states import JOINT_SHAPES, JointStates
-from kleinform.motion.waypoints import WaypointMotion, joint_sizes, overshoot, warn_of_swings
+from kleinform.motion.waypoints import (
+    WaypointMotion,
+    WaypointPoseMotion,
+    joint_sizes,
+    overshoot,
+    warn_of_swings,
+)
 from kleinform.screening import RotationLike, Screen, reject_bad_rotations, rotation_array
 
 try:
@@ -79,7 +84,7 @@ def through_joints(
     _refuse_misses(spline, when, points)
     motion = _joint_motion(spline, when, points[0])
     beyond = overshoot(spline, ways)
-    warn_of_swings(beyond, points)
+    warn_of_swings("more even times, or shape_preserving=True", beyond, points, joint_sizes(points))
     return WaypointMotion(motion.function, motion.start, motion.end, beyond)
 
 
@@ -134,11 +139,14 @@ def interpolated(states: JointStates) -> JointMotion:
     return _joint_motion(quintics, when, np.zeros(6))
 
 
-def through_poses(times: ArrayLike, positions: ArrayLike, rotations: RotationLike) -> PoseMotion:
+def through_poses(
+    times: ArrayLike, positions: ArrayLike, rotations: RotationLike
+) -> WaypointPoseMotion:
     """Through poses of the platform.
 
     Natural cubic splines for C, and SciPy's `RotationSpline` for the platform: position and
-    rotation are twice continuously differentiable.
+    rotation are twice continuously differentiable. Where times are uneven C swings beyond its
+    waypoints; ``.overshoot`` says how far.
 
     Parameters
     ----------
@@ -147,6 +155,17 @@ def through_poses(times: ArrayLike, positions: ArrayLike, rotations: RotationLik
     positions : array_like (T, 3)
         C [m].
     rotations : array_like (T, 3, 3), or anything with ``as_matrix()``
+
+    Raises
+    ------
+    InputError
+        SciPy's iteration diverges over times so uneven, or velocities and accelerations
+        exceed 1e100.
+
+    Warns
+    -----
+    MotionWarning
+        C swings farther beyond its waypoints than these lie apart.
     """
     when = increasing_times(times, 2)
     points = over_time("positions", positions, (3,), when)
@@ -156,7 +175,7 @@ def through_poses(times: ArrayLike, positions: ArrayLike, rotations: RotationLik
     reject_bad_rotations(screen, "rotations", turns, tolerance)
     screen.settle()
     with _named_times(when):
-        place = CubicSpline(when, points, bc_type="natural")
+        place = CubicSpline(when, points - points[0], bc_type="natural")
         turn = RotationSpline(when, Rotation.from_matrix(turns))
 
     def function(at: Array) -> tuple[Array, ...]:
@@ -164,10 +183,17 @@ def through_poses(times: ArrayLike, positions: ArrayLike, rotations: RotationLik
         # SciPy's angular rate and acceleration are in the platform's frame.
         omega, angular = (np.einsum("tij,tj->ti", matrices, turn(at, order)) for order in (1, 2))
         twists = np.concatenate([omega, place(at, 1)], axis=1)
-        return place(at), matrices, twists, np.concatenate([angular, place(at, 2)], axis=1)
+        return (
+            points[0] + place(at),
+            matrices,
+            twists,
+            np.concatenate([angular, place(at, 2)], axis=1),
+        )
 
     refuse_wild_motions(function, when)
-    return PoseMotion(function, float(when[0]), float(when[-1]))
+    beyond = overshoot(place, points - points[0])
+    warn_of_swings("more even times", beyond, points, abs(points).max())
+    return WaypointPoseMotion(function, float(when[0]), float(when[-1]), beyond)
 
 
 @contextmanager
