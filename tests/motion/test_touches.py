@@ -18,7 +18,7 @@ SOON = 1e-9
 @pytest.mark.parametrize("kind", KINDS)
 def test_a_touch_is_timed_by_its_slope(kind: str) -> None:
     rng = np.random.default_rng(41)
-    for _ in range(many(25, 500)):
+    for _ in range(many(25, 200)):
         assert error(KINDS[kind](rng)) <= SOON
 
 
@@ -27,7 +27,7 @@ def test_a_touch_is_timed_by_its_slope(kind: str) -> None:
 def test_a_shallow_passage_is_timed_where_the_sign_changes(kind: str) -> None:
     """With slopes down to 1e-6: what counts as zero there lies 1e-9 to 1e-8 s before."""
     rng = np.random.default_rng(42)
-    for _ in range(many(15, 500)):
+    for _ in range(many(15, 200)):
         assert error(KINDS[kind](rng, 10.0 ** rng.uniform(-6.0, -2.0))) <= SOON
 
 
