@@ -13,6 +13,7 @@ __all__ = [
     "JointRangeError",
     "KleinformError",
     "MissingExtraError",
+    "MotionWarning",
     "NotARotationError",
     "NotFiniteError",
     "ShapeError",
@@ -79,6 +80,10 @@ class TrackingError(KleinformError):
     def __init__(self, message: str, sample: int = 0) -> None:
         super().__init__(message)
         self.sample = sample
+
+
+class MotionWarning(UserWarning):
+    """A motion does what its waypoints do not show; the message says how far."""
 
 
 class BackendError(KleinformError, ImportError):

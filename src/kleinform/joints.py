@@ -10,7 +10,7 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import JointRangeError
 from kleinform.screening import Errors, Screen, real_array, reject_bad_numbers
 
-__all__ = ["TOLERANCE", "checked_joints", "screened_joints"]
+__all__ = ["TOLERANCE", "checked_joints", "screened_joints", "unwrapped"]
 
 Array = NDArray[np.float64]
 
@@ -30,6 +30,16 @@ def checked_joints(value: ArrayLike) -> Array:
     joints, screen = screened_joints(value, "raise")
     screen.settle()
     return joints
+
+
+def unwrapped(azimuth: Array) -> Array:
+    """q4 over time (T,), an angle on a circle, as one that counts turns.
+
+    It begins as it is; whole turns are added to the rest, so that none is farther than half a
+    turn from the one before.
+    """
+    turns = np.cumsum(np.round(np.diff(azimuth, prepend=azimuth[:1]) / (2.0 * pi)))
+    return azimuth - 2.0 * pi * turns
 
 
 def screened_joints(value: ArrayLike, errors: Errors) -> tuple[Array, Screen]:

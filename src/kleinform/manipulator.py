@@ -652,7 +652,8 @@ class UncoupledManipulator:
         Parameters
         ----------
         joints : array_like (T, 6)
-            Joint values over time; samples are joined by straight segments of joint space.
+            Joint values over time; samples are joined by straight segments of joint space,
+            q4 the shorter way round.
         start_rotation : array_like (3, 3), or anything with ``as_matrix()``
             A rotation near that of the mode to follow at the first sample.
         mode : int
@@ -728,7 +729,7 @@ class UncoupledManipulator:
         Returns
         -------
         JointStates
-            q4 does not jump by 2π: it changes by less than π from one sample to the next.
+            q4 counts turns: it goes the shorter way round from one sample to the next.
 
         Raises
         ------

@@ -22,7 +22,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import ShapeError, TrackingError
 from kleinform.generated import kernels
-from kleinform.joints import checked_joints
+from kleinform.joints import checked_joints, unwrapped
 from kleinform.polishing import polish
 from kleinform.results import Singularity
 from kleinform.screening import RotationLike, one_rotation
@@ -99,13 +99,20 @@ def _reach(radius: float, stretch: Array, directions: Array) -> Array | None:
     Newton's method must be trusted at the end, and in each of some parts of the stretch at the
     sample that is farthest from the first: a motion may come back to where it was.
     """
-    away = np.linalg.norm((stretch - stretch[0]) / [radius, radius, radius, 1, 1, radius], axis=1)
+    away = np.linalg.norm(_changes(stretch) / [radius, radius, radius, 1, 1, radius], axis=1)
     parts = np.array_split(np.arange(1, len(stretch)), min(PARTS, len(stretch) - 1))
     looked_at = [part[np.argmax(away[part])] for part in parts]
     looked_at.append(len(stretch) - 1)
     if (_kantorovich(radius, stretch[looked_at], directions) > TRUST).any():
         return None
     return newton(radius, stretch[-1], directions)
+
+
+def _changes(stretch: Array) -> Array:
+    """How far each sample of a stretch is from its first, q4 the shorter way round."""
+    changes: Array = stretch - stretch[0]
+    changes[:, 3] = unwrapped(stretch[:, 3]) - stretch[0, 3]
+    return changes
 
 
 def _follow(radius: float, motion: Array, directions: Array, before: int, after: int) -> Array:
@@ -165,10 +172,10 @@ def _first(radius: float, joints: Array, guess: Array) -> Array:
 
 def _advance(radius: float, start: Array, end: Array, directions: Array, sample: int) -> Array:
     """Follow the mode along one segment of joint space, halving it where needed."""
-    done, size = 0.0, 1.0
+    done, size, change = 0.0, 1.0, _changes(np.stack([start, end]))[1]
     while done < 1.0:
         size = min(size, 1.0 - done)
-        joints = start + (done + size) * (end - start)
+        joints = start + (done + size) * change
         number = _kantorovich(radius, joints[np.newaxis], directions)[0]
         reached = newton(radius, joints, directions) if number <= TRUST else None
         if reached is None:

@@ -11,6 +11,7 @@ from kleinform.motion.joint_motion import (
 from kleinform.motion.pose_motion import PoseMotion
 from kleinform.motion.states import JointStates, PlatformStates, PointStates
 from kleinform.motion.watch import Meeting, Watch
+from kleinform.motion.waypoints import WaypointMotion, WaypointPoseMotion
 
 if TYPE_CHECKING:
     from kleinform.motion.splines import interpolated, through_joints, through_poses
@@ -23,6 +24,8 @@ __all__ = [
     "PointStates",
     "PoseMotion",
     "Watch",
+    "WaypointMotion",
+    "WaypointPoseMotion",
     "interpolated",
     "polynomials",
     "rest_to_rest",

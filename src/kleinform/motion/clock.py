@@ -9,14 +9,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import InputError, ShapeError
-from kleinform.screening import Screen, is_whole, real_array, reject_bad_numbers
+from kleinform.screening import LARGEST, Screen, is_whole, real_array, reject_bad_numbers
 
 __all__ = [
+    "checked_duration",
     "checked_span",
     "checked_times",
     "even_times",
     "increasing_times",
     "over_time",
+    "refuse_wild_motions",
     "values_at",
 ]
 
@@ -29,6 +31,14 @@ def checked_span(start: float, end: float) -> tuple[float, float]:
     if not (np.isfinite(span).all() and span[0] < span[1]):
         raise InputError(f"start < end, both finite, is needed, {start!r} and {end!r} arrived")
     return float(span[0]), float(span[1])
+
+
+def checked_duration(duration: float) -> float:
+    """How long a motion takes [s]."""
+    value = real_array("duration", duration, ())
+    if value.ndim or not 0.0 < value < np.inf:
+        raise InputError(f"duration: a finite time above 0 s is needed, {duration!r} arrived")
+    return float(value)
 
 
 def checked_times(times: ArrayLike, start: float, end: float) -> Array:
@@ -74,6 +84,18 @@ def over_time(name: str, value: Any, core: tuple[int, ...], times: Array) -> Arr
     reject_bad_numbers(screen, name, array, len(core))
     screen.settle()
     return array
+
+
+def refuse_wild_motions(function: Callable[[Array], tuple[Any, ...]], times: Array) -> None:
+    """Refuse times at which a motion goes so fast that its numbers leave the allowed ones."""
+    with np.errstate(all="ignore"):
+        most = max(float(abs(np.asarray(order)).max()) for order in function(times))
+    if not most <= LARGEST:
+        raise InputError(
+            f"times: over {times[-1] - times[0]:.3g} s, {np.diff(times).min():.3g} s apart at "
+            f"least, its values, rates or accelerations reach {most:.3g}; at most {LARGEST:g} is "
+            "needed"
+        )
 
 
 def values_at(

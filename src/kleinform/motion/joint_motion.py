@@ -8,11 +8,12 @@ import numpy as np
 from numpy.polynomial import polynomial
 from numpy.typing import ArrayLike, NDArray
 
-from kleinform.joints import checked_joints
-from kleinform.motion.clock import checked_span, even_times
+from kleinform.errors import InputError
+from kleinform.joints import checked_joints, unwrapped
+from kleinform.motion.clock import checked_duration, checked_span, even_times
 from kleinform.motion.function import FunctionOfTime
 from kleinform.motion.states import JOINT_SHAPES, JointStates
-from kleinform.screening import real_array
+from kleinform.screening import LARGEST, real_array
 
 __all__ = ["JointMotion", "polynomials", "rest_to_rest", "rest_to_rest_coefficients"]
 
@@ -62,15 +63,28 @@ def polynomials(coefficients: ArrayLike, start: float, end: float) -> JointMotio
         A row a joint, the constant first; powers of seconds.
     start, end : float
         [s].
+
+    Raises
+    ------
+    InputError
+        In this time a polynomial reaches numbers above 1e100.
     """
+    first, last = checked_span(start, end)
     rows = real_array("coefficients", coefficients, ())
     rows = real_array("coefficients", rows, (6, *rows.shape[1:2]))
     columns = [np.asarray(polynomial.polyder(rows.T, order), np.float64) for order in range(3)]
+    with np.errstate(all="ignore"):
+        most = max(polynomial.polyval(last - first, abs(column)).max() for column in columns)
+    if not most <= LARGEST:
+        raise InputError(
+            f"coefficients, start, end: in {last - first!r} s the polynomials may reach "
+            f"{most:.3g}; at most {LARGEST:g} is needed"
+        )
 
     def function(times: Array) -> tuple[ArrayLike, ...]:
-        return tuple(polynomial.polyval(times - start, column).T for column in columns)
+        return tuple(polynomial.polyval(times - first, column).T for column in columns)
 
-    return JointMotion(function, *checked_span(start, end))
+    return JointMotion(function, first, last)
 
 
 def rest_to_rest_coefficients(start: ArrayLike, end: ArrayLike, duration: float) -> Array:
@@ -83,15 +97,31 @@ def rest_to_rest_coefficients(start: ArrayLike, end: ArrayLike, duration: float)
     Parameters
     ----------
     start, end : array_like (6,)
-        Joint values q1 ... q6; a full turn of q4 is a full turn.
+        Joint values q1 ... q6; q4 goes the shorter way round.
     duration : float
         [s].
+
+    Raises
+    ------
+    InputError
+        The coefficients leave the range of float64, or the accelerations exceed 1e100.
+    JointRangeError
     """
-    checked_span(0.0, duration)
+    time = checked_duration(duration)
     first, last = checked_joints(start), checked_joints(end)
-    first, last = real_array("start", first, (6,)), real_array("end", last, (6,))
-    coefficients = np.outer(last - first, SMOOTH_STEP / duration ** np.arange(6.0))
-    coefficients[:, 0] = first
+    ends = np.stack([real_array("start", first, (6,)), real_array("end", last, (6,))])
+    ends[:, 3] = unwrapped(ends[:, 3])
+    way = ends[1] - ends[0]
+    with np.errstate(all="ignore"):
+        coefficients = np.outer(way, SMOOTH_STEP / time ** np.arange(6.0))
+        fastest = abs(coefficients[:, 3] * time).max()
+    precise = (abs(coefficients[:, 3:]) >= np.finfo(np.float64).tiny).all(axis=1) | (way == 0.0)
+    if not (fastest <= LARGEST and np.isfinite(coefficients).all() and precise.all()):
+        raise InputError(
+            "duration: one is needed whose fifth power, and whose accelerations, are numbers in "
+            f"float64; {duration!r} s arrived"
+        )
+    coefficients[:, 0] = ends[0]
     return coefficients
 
 

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.errors import TrackingError
+from kleinform.joints import unwrapped
 from kleinform.motion.joint_motion import JointMotion
 from kleinform.motion.pose_motion import PoseMotion
 
@@ -45,7 +46,7 @@ class GivenPath:
         self.times = motion.sampled(count).times
         self._azimuths: Array | None = None
         self.samples = self.poses(self.times)
-        self._azimuths = np.unwrap(self.samples.joints[:, 3])
+        self._azimuths = unwrapped(self.samples.joints[:, 3])
         self.samples.joints[:, 3] = self._azimuths
 
     def poses(self, times: Array) -> Poses:

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.generated import kernels
+from kleinform.joints import unwrapped
 from kleinform.motion.clock import increasing_times, over_time
 from kleinform.motion.states import JOINT_SHAPES, PLATFORM_SHAPES, JointStates, PlatformStates
 from kleinform.pose import check_pose
@@ -53,7 +54,7 @@ def inverse_motion(robot: UncoupledManipulator, states: PlatformStates) -> Joint
     """See `UncoupledManipulator.inverse_motion`."""
     times, positions, rotations, twists, twist_rates = _checked(states, PLATFORM_SHAPES)
     joints = robot.inverse_displacement(positions, rotations)
-    joints[:, 3] = np.unwrap(joints[:, 3])
+    joints[:, 3] = unwrapped(joints[:, 3])
     rates = robot.inverse_velocity(positions, rotations, twists)
     accelerations = robot.inverse_acceleration(positions, rotations, twists, twist_rates)
     return JointStates(times, joints, rates, accelerations)

@@ -21,6 +21,7 @@ from kleinform.motion.joint_motion import JointMotion
 from kleinform.motion.paths import RESOLUTION, FollowedPath, GivenPath, ModeEndedError
 from kleinform.motion.pose_motion import PoseMotion
 from kleinform.motion.quantities import KINDS, Quantity, quantities, room
+from kleinform.motion.settling import TOLD, settled, touched
 from kleinform.results import Survey
 from kleinform.screening import RotationLike, one_rotation
 
@@ -34,10 +35,6 @@ Array = NDArray[np.float64]
 FINER = 17
 #: Over so many times what counts as zero, a parabola settles where a quantity turns.
 SHALLOW = 1e5
-#: A parabola is seen when it rises by so many times what counts as zero.
-VISIBLE = 4.0
-#: A dip is a touch when it is no deeper than what the motion makes of it in this time [s].
-TOUCH = 1e-9
 #: From how many values the end of a mode is extrapolated, and how often from nearer ones.
 POINTS = 5
 HALVINGS = 12
@@ -130,7 +127,11 @@ def watch(
 
 
 def first_meeting(watched: Watched) -> Meeting | None:
-    """What is met first; the end of the assembly mode when nothing is met before it."""
+    """What is met first; the end of the assembly mode when nothing is met before it.
+
+    Of several at one time it is the first in the order of `quantities`, which names the limb
+    that has no length before the factor that vanishes with it.
+    """
     path, at_samples = watched.path, watched.at_samples()
     meetings = []
     for name, (value, zero) in at_samples.items():
@@ -139,7 +140,10 @@ def first_meeting(watched: Watched) -> Meeting | None:
             meetings.append(Meeting(time, name, KINDS.get(name, "limit")))
     if path.stopped and not meetings:
         meetings.append(_end_of_mode(watched, at_samples))
-    return min(meetings, default=None)
+    if not meetings:
+        return None
+    earliest = min(meeting.time for meeting in meetings)
+    return next(meeting for meeting in meetings if meeting.time - earliest <= TOLD)
 
 
 def _first_time(watched: Watched, name: str, value: Array, zero: Array) -> float | None:
@@ -153,8 +157,20 @@ def _first_time(watched: Watched, name: str, value: Array, zero: Array) -> float
     for low, high in _suspects(times, sign * value, zero):
         time = _zoom(watched, name, sign, low, high)
         if time is not None:
-            return time
+            return _settled(watched, name, sign, time)
     return None
+
+
+def _settled(watched: Watched, name: str, sign: float, time: float) -> float:
+    """When exactly a quantity is met that first counts as zero at a time."""
+    times = watched.path.times
+
+    def at(when: Array) -> tuple[Array, Array]:
+        value, zero = watched.at(when)[name]
+        return sign * value, zero
+
+    exact = settled(at, float(times[0]), time, float(np.diff(times).max()))
+    return min(exact, float(times[-1]))
 
 
 def _zoom(watched: Watched, name: str, sign: float, low: float, high: float) -> float | None:
@@ -168,7 +184,7 @@ def _zoom(watched: Watched, name: str, sign: float, low: float, high: float) -> 
         return None
     value = sign * value
     if np.ptp(value) <= SHALLOW * zero.max() and (value >= -zero).all():
-        turn = _touch(times, value, zero)
+        turn = touched(times, value, zero)
         if turn is not None:
             return turn
     for ends in _suspects(times, value, zero):
@@ -195,18 +211,6 @@ def _suspects(times: Array, value: Array, zero: Array) -> Iterator[tuple[float, 
         doubtful[max(last - 1, 0)] = True
     for i in np.flatnonzero(doubtful[: max(last, 1)]):
         yield float(times[i]), float(times[i + 1])
-
-
-def _touch(times: Array, value: Array, zero: Array) -> float | None:
-    """Where a quantity turns that does not change its sign, if it comes down to zero there."""
-    middle = times[len(times) // 2]
-    unit = times[-1] - middle
-    floor, slope, bend = np.polynomial.polynomial.polyfit((times - middle) / unit, value, 2)
-    if bend <= VISIBLE * zero.max() or abs(slope) > 2.0 * bend:
-        return None
-    turn = -0.5 * slope / bend
-    near = floor + 0.5 * slope * turn <= zero.max() + bend * (TOUCH / unit) ** 2
-    return float(middle + unit * turn) if near else None
 
 
 def _end_of_mode(watched: Watched, at_samples: Mapping[str, Quantity]) -> Meeting:
