@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from kleinform.errors import InputError
 from kleinform.joints import POSSIBLE, TURN
 
-__all__ = ["FACTORS", "LIMITED", "Limits"]
+__all__ = ["ANGLES", "FACTORS", "LIMITED", "Limits"]
 
 Array = NDArray[np.float64]
 Range = tuple[float, float]
