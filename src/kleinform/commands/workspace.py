@@ -28,7 +28,7 @@ LimitsFile = Annotated[
     typer.Option(
         "--limits",
         metavar="FILE",
-        help="A .toml with the table [ranges], in m and rad, or unit = \"deg\" above it; "
+        help='A .toml with the table [ranges], in m and rad, or unit = "deg" above it; '
         "without, Limits.typical(radius).",
     ),
 ]
