@@ -4,6 +4,12 @@ from typing import TYPE_CHECKING, Any
 
 from kleinform.backend import Backend, backend, set_threads, threads
 from kleinform.classification import Classes, PoseClass
+from kleinform.conversions import (
+    PositionAndRotation,
+    nearest_rotation,
+    pose_from_matrix,
+    rotation_from_quaternion,
+)
 from kleinform.errors import (
     BackendError,
     DtypeError,
@@ -18,6 +24,7 @@ from kleinform.errors import (
     SingularPoseError,
     TrackingError,
 )
+from kleinform.lazy import submodules
 from kleinform.limits import Limits
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.results import Jacobians, Screws, Singularity, Survey
@@ -29,6 +36,7 @@ from kleinform.rotations import (
 )
 
 if TYPE_CHECKING:
+    from kleinform import homotopy, maps, motion, paper, plots, verification
     from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 
 __all__ = [
@@ -48,6 +56,7 @@ __all__ = [
     "NotARotationError",
     "NotFiniteError",
     "PoseClass",
+    "PositionAndRotation",
     "RollPitchYaw",
     "Screws",
     "ShapeError",
@@ -57,12 +66,24 @@ __all__ = [
     "TrackingError",
     "UncoupledManipulator",
     "backend",
+    "homotopy",
+    "maps",
+    "motion",
+    "nearest_rotation",
+    "paper",
+    "plots",
+    "pose_from_matrix",
     "rotation_from_directions",
+    "rotation_from_quaternion",
     "rotation_from_rpy",
     "rpy_from_rotation",
     "set_threads",
     "threads",
+    "verification",
 ]
+
+
+_submodule = submodules(__name__, ("homotopy", "maps", "motion", "paper", "plots", "verification"))
 
 
 def __getattr__(name: str) -> Any:
@@ -75,4 +96,9 @@ def __getattr__(name: str) -> Any:
         from kleinform.forward import modes
 
         return getattr(modes, name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _submodule(name)
+
+
+def __dir__() -> list[str]:
+    """The public names alone."""
+    return sorted(__all__)

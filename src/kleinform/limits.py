@@ -176,7 +176,7 @@ def _range(name: str, given: Any, unit: str) -> Range:
 
 def _is_pair(given: Any) -> bool:
     if isinstance(given, np.ndarray):
-        return given.shape == (2,)
+        return bool(given.shape == (2,))
     return isinstance(given, (list, tuple)) and len(given) == 2
 
 

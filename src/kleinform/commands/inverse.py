@@ -73,5 +73,6 @@ def azimuth_of(azimuth: float | None, degrees: bool) -> float | None:
 
 def rotation_of(rpy: options.Three, degrees: bool) -> Array:
     """The rotation (3, 3) that an option gives."""
-    given = {name: np.array(angle) for name, angle in zip(ANGLES, rpy, strict=True)}
-    return rotation_from_rpy(**in_radians(given, degrees))
+    given = dict(zip(ANGLES, map(np.array, rpy), strict=True))
+    angles = in_radians(given, degrees)
+    return rotation_from_rpy(roll=angles["roll"], pitch=angles["pitch"], yaw=angles["yaw"])

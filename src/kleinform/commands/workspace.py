@@ -92,13 +92,14 @@ def _why_empty(space: Workspace, degrees: bool) -> str:
     conflict = space.conflict()
     if not conflict:
         return "no position was found that keeps every limit"
-    words = [_in_words(*end.split(), space.limits, degrees) for end in conflict]
+    words = [_in_words(end, space.limits, degrees) for end in conflict]
     return f"the workspace is empty: at this orientation {', '.join(words)} exclude each other"
 
 
-def _in_words(name: str, end: str, limits: Limits, degrees: bool) -> str:
-    low, high = limits.range_of(name)
-    value = low if end == "low" else high
-    turns = degrees and name in ANGLES
+def _in_words(which: str, limits: Limits, degrees: bool) -> str:
+    """An end of a range such as "q1 low", with its value and unit."""
+    name, end = which.split()
+    value = limits.range_of(name)[end == "high"]
     sign = ">=" if end == "low" else "<="
-    return f"{name} {sign} {np.degrees(value) if turns else value:g} {unit(name, degrees)}"
+    turned = np.degrees(value) if degrees and name in ANGLES else value
+    return f"{name} {sign} {turned:g} {unit(name, degrees)}"
