@@ -1,4 +1,4 @@
-"""Degrees that are not said to be degrees: refused, wherever they arrive, with the option to give."""
+"""Degrees that are not said to be degrees are refused, wherever they arrive, with a hint."""
 
 from __future__ import annotations
 

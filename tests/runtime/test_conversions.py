@@ -250,7 +250,7 @@ def test_defects_of_rounded_rotations_name_the_helper() -> None:
         turn = Rotation.random(rng=rng).as_matrix()
         for digits in range(3, 9):
             rounded = turn.round(digits)
-            with pytest.raises(NotARotationError, match="a rounded one[?] kleinform.nearest_rot"):
+            with pytest.raises(NotARotationError, match=r"a rounded one\? kleinform\.nearest_rot"):
                 ROBOT.survey(PLACE, rounded)
         with pytest.raises(NotARotationError) as caught:
             ROBOT.survey(PLACE, turn + rng.uniform(0.1, 1.0) * np.eye(3)[rng.permutation(3)])
