@@ -115,7 +115,7 @@ def test_conflicts_at_random() -> None:
     """A conflict exactly where there are no positions."""
     rng = np.random.default_rng(7)
     empty = undecided = 0
-    for _ in range(many(20, 500)):
+    for _ in range(many(20, 200)):
         space = workspace(random_rotation(rng), random_ranges(rng))
         conflict = space.conflict()
         if conflict:
