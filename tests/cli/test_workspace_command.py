@@ -17,7 +17,8 @@ from kleinform.maps import Volume, Workspace, constant_orientation_workspace
 
 PAPER = ("--rpy", 10, 3, 6, "--degrees")
 MARGINS = (
-    "a workspace is bounded by ranges alone, since margins are no quadrics (robot.watch takes them)"
+    "margins are not bounded by quadrics, wrist arrived: "
+    "a workspace takes ranges alone, robot.watch takes margins too"
 )
 RANGES = """[ranges]
 q1 = [0.6, 1.5]
@@ -134,7 +135,7 @@ def test_a_tolerance_that_is_not_reached(run, quick) -> None:
         ("[ranges]\nq5 = [40, 90]", "limits.toml: q5: within a full turn is needed, [40, 90] "),
         ("unit = 'grad'", 'limits.toml: unit: "rad" or "deg" is needed'),
         ("[ranges]\nq1 = " + 5000 * "[", "limits.toml: not TOML of limits: nested too deep"),
-        ("[margins]\nwrist = 0.1", f"limits: {MARGINS}; margins of wrist arrived"),
+        ("[margins]\nwrist = 0.1", f"limits: {MARGINS}"),
     ],
 )
 def test_bad_limits(run, tmp_path: Path, toml: str, message: str) -> None:

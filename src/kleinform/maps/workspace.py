@@ -220,8 +220,8 @@ def constant_orientation_workspace(
         raise InputError(f"limits: Limits are needed, {limits!r} arrived")
     if limits.margins:
         raise InputError(
-            "limits: a workspace is bounded by ranges alone, since margins are no quadrics "
-            f"(robot.watch takes them); margins of {', '.join(limits.margins)} arrived"
+            f"limits: margins are not bounded by quadrics, {', '.join(limits.margins)} arrived: "
+            "a workspace takes ranges alone, robot.watch takes margins too"
         )
     turned = one_rotation("rotation", rotation)
     angles = 2.0 * np.pi / 3.0 * np.arange(3)
