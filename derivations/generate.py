@@ -27,6 +27,15 @@ NOTICE = """\
 # Generated from derivations/ by "make derive"; do not edit.
 # SPDX-License-Identifier: BSD-3-Clause
 """
+#: A package's own module, at its end: the modules that it does not need itself.
+LAZY = '''
+
+def __getattr__(name: str) -> ModuleType:
+    """Modules that are loaded when somebody asks for them."""
+    if name in {names}:
+        return import_module(f"{{__name__}}.{{name}}")
+    raise AttributeError(f"module {{__name__!r}} has no attribute {{name!r}}")
+'''
 SUPPORT = Path(__file__).parent / "codegen" / "support"
 #: What is compiled besides the kernels.
 C_SUPPORT = ("simd.h", "table.h", "extension.c")
@@ -139,11 +148,14 @@ def _choice(programs: list[Program]) -> str:
     quoted = "\n".join(f'    "{name}",' for name in ["BACKEND", *exported])
     return (
         '"""Kernels of the uncoupled manipulator 3-RPRRC+RRPRU, on arrays."""\n\n'
+        "from importlib import import_module\n"
+        "from types import ModuleType\n\n"
         "from kleinform_kernels._backend import BACKEND\n"
         f"from kleinform_kernels.uncoupled.numpy_kernels import (\n{classes}\n)\n\n"
         f'if BACKEND == "compiled":\n{imported("compiled_kernels", names)}\n'
         f"else:\n{imported('numpy_kernels', names)}\n\n"
         f"__all__ = [\n{quoted}\n]\n"
+        + LAZY.format(names='("arb_kernels", "compiled_kernels", "gufuncs", "mpmath_kernels")')
     )
 
 
@@ -168,6 +180,9 @@ def _root(files: dict[str, str], compiled: int) -> str:
         [
             '"""Generated kernels, one subpackage a mechanism; NumPy is all they need."""',
             "",
+            "from importlib import import_module",
+            "from types import ModuleType",
+            "",
             "#: Version of the interface between the kernels and the runtime.",
             f"SCHEMA = {SCHEMA}",
             "#: CRC-32 of each module, so that no edited kernel runs unnoticed.",
@@ -176,7 +191,7 @@ def _root(files: dict[str, str], compiled: int) -> str:
             "}",
             "#: CRC-32 of the C sources: an extension that was compiled from others is not used.",
             f"COMPILED = {compiled}",
-            "",
+            LAZY.format(names='("uncoupled",)'),
         ]
     )
 

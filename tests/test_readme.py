@@ -7,6 +7,7 @@ import io
 import re
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 import kleinform
@@ -49,6 +50,23 @@ def test_a_page_prints_what_it_shows(name: str) -> None:
     with contextlib.redirect_stdout(printed):
         exec(next(text for language, text in blocks if language == "python"), {})
     assert printed.getvalue() == next(text for language, text in blocks if not language)
+
+
+@pytest.mark.skipif(kleinform.backend().name != "compiled", reason="gufuncs are compiled kernels")
+def test_the_page_on_backends_runs() -> None:
+    """All its blocks, in order, the second with poses and room for results of the reader's."""
+    page = (Path(__file__).parents[1] / "docs" / "backends.md").read_text(encoding="utf-8")
+    blocks = re.findall(r"```(\w*)\n(.*?)```", page, flags=re.DOTALL)
+    names = {"c": np.full((4, 3), 0.5), "R": np.broadcast_to(np.eye(3), (4, 3, 3))}
+    names |= {"q": np.empty((4, 6)), "J_v": np.empty((4, 6, 6)), "J_q": np.empty((4, 6, 6))}
+    printed = io.StringIO()
+    for code in (text for language, text in blocks if language == "python"):
+        printed.truncate(printed.seek(0))
+        with contextlib.redirect_stdout(printed):
+            exec(code, names)
+    assert printed.getvalue() == next(text for language, text in blocks if not language)
+    joints = kleinform.UncoupledManipulator().inverse_displacement(names["c"], names["R"])
+    np.testing.assert_array_equal(names["q"], joints)
 
 
 def test_the_figures_are_those_of_the_benchmark() -> None:

@@ -4,6 +4,12 @@ from typing import TYPE_CHECKING, Any
 
 from kleinform.backend import Backend, backend, set_threads, threads
 from kleinform.classification import Classes, PoseClass
+from kleinform.conversions import (
+    PositionAndRotation,
+    nearest_rotation,
+    pose_from_matrix,
+    rotation_from_quaternion,
+)
 from kleinform.errors import (
     BackendError,
     DtypeError,
@@ -19,6 +25,7 @@ from kleinform.errors import (
     SingularPoseError,
     TrackingError,
 )
+from kleinform.lazy import submodules
 from kleinform.limits import Limits
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.results import Jacobians, Screws, Singularity, Survey
@@ -30,6 +37,7 @@ from kleinform.rotations import (
 )
 
 if TYPE_CHECKING:
+    from kleinform import homotopy, maps, motion, paper, plots, verification
     from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
 
 __all__ = [
@@ -50,6 +58,7 @@ __all__ = [
     "NotARotationError",
     "NotFiniteError",
     "PoseClass",
+    "PositionAndRotation",
     "RollPitchYaw",
     "Screws",
     "ShapeError",
@@ -59,12 +68,24 @@ __all__ = [
     "TrackingError",
     "UncoupledManipulator",
     "backend",
+    "homotopy",
+    "maps",
+    "motion",
+    "nearest_rotation",
+    "paper",
+    "plots",
+    "pose_from_matrix",
     "rotation_from_directions",
+    "rotation_from_quaternion",
     "rotation_from_rpy",
     "rpy_from_rotation",
     "set_threads",
     "threads",
+    "verification",
 ]
+
+
+_submodule = submodules(__name__, ("homotopy", "maps", "motion", "paper", "plots", "verification"))
 
 
 def __getattr__(name: str) -> Any:
@@ -77,4 +98,9 @@ def __getattr__(name: str) -> Any:
         from kleinform.forward import modes
 
         return getattr(modes, name)
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    return _submodule(name)
+
+
+def __dir__() -> list[str]:
+    """The public names alone."""
+    return sorted(__all__)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import pi
+from math import inf, pi
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -10,12 +10,16 @@ from numpy.typing import ArrayLike, NDArray
 from kleinform.errors import JointRangeError
 from kleinform.screening import Errors, Screen, real_array, reject_bad_numbers
 
-__all__ = ["TOLERANCE", "checked_joints", "screened_joints", "unwrapped"]
+__all__ = ["POSSIBLE", "TOLERANCE", "TURN", "checked_joints", "screened_joints", "unwrapped"]
 
 Array = NDArray[np.float64]
 
 #: Relative: joint values that were computed and rounded to float64 are off by a few roundings.
 TOLERANCE = 4.0 * float(np.finfo(np.float64).eps)
+#: What joint values can be, in m and rad; q4 can be anything.
+POSSIBLE = {**dict.fromkeys(("q1", "q2", "q3", "q6"), (0.0, inf)), "q5": (-pi / 2.0, pi / 2.0)}
+#: A full turn: of angles that do not add up over turns, those beyond it are not meant in rad.
+TURN = 2.0 * pi
 
 
 def checked_joints(value: ArrayLike) -> Array:

@@ -31,6 +31,8 @@ ROTATION_TOLERANCE_FLOAT32 = 2e-6
 #: smaller and not zero: their products underflow.
 LARGEST = 1e100
 SMALLEST = 1e-100
+#: A matrix with a smaller defect is taken for a rotation that was rounded, to two digits or more.
+ROUNDED = 0.01
 
 
 @runtime_checkable
@@ -65,8 +67,18 @@ def real_array(name: str, value: ArrayLike, core: tuple[int, ...]) -> Array:
         raise DtypeError(f"{name}: real numbers up to float64 are needed, {array.dtype} arrived")
     if array.shape[max(0, array.ndim - len(core)) :] != core:
         wanted = "(" + ", ".join(["...", *map(str, core)]) + ")"
-        raise ShapeError(f"{name}: shape {wanted} is needed, {array.shape} arrived")
+        hint = _helper(array.shape) if core == (3, 3) else ""
+        raise ShapeError(f"{name}: shape {wanted} is needed, {array.shape} arrived{hint}")
     return array.astype(np.float64, copy=False)
+
+
+def _helper(shape: tuple[int, ...]) -> str:
+    """What makes rotations (..., 3, 3) of what has such a shape, in words."""
+    if shape[-2:] == (4, 4):
+        return "; a pose as a matrix? kleinform.pose_from_matrix"
+    if shape[-1:] == (4,):
+        return "; a quaternion? kleinform.rotation_from_quaternion"
+    return ""
 
 
 def is_whole(value: object) -> bool:
@@ -189,12 +201,11 @@ def reject_bad_rotations(screen: Screen, name: str, rotation: Array, tolerance: 
     if (defect <= tolerance).all():
         return
     reject_bad_numbers(screen, name, rotation, 2)
-    screen.reject(
-        ~(defect <= tolerance),
-        NotARotationError,
-        f"{name}: not a rotation (its defect may be {tolerance})",
-        defect,
-    )
+    rule = f"{name}: not a rotation (its defect may be {tolerance}"
+    rounded = (tolerance < defect) & (defect < ROUNDED)
+    mended = f"{rule}; a rounded one? kleinform.nearest_rotation)"
+    screen.reject(rounded, NotARotationError, mended, defect)
+    screen.reject(~(defect <= tolerance) & ~rounded, NotARotationError, f"{rule})", defect)
 
 
 def one_rotation(name: str, value: RotationLike) -> Array:

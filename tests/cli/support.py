@@ -15,10 +15,10 @@ PAPER = ("--position", 0.25, 0.2, 1.0, "--rpy", 10, 3, 6, "--degrees")
 
 
 def random_poses(count: int) -> Table:
-    """Regular poses, angles in degrees."""
+    """Regular poses, angles in degrees, so small that they may pass for radians."""
     rng = np.random.default_rng(5)
     names = ("x", "y", "z", "roll", "pitch", "yaw")
-    low, high = [-0.3, -0.3, 0.8, -20, -20, -20], [0.3, 0.3, 1.5, 20, 20, 20]
+    low, high = [-0.3, -0.3, 0.8, -6, -6, -6], [0.3, 0.3, 1.5, 6, 6, 6]
     return dict(zip(names, rng.uniform(low, high, (count, 6)).T, strict=True))
 
 

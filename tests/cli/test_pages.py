@@ -74,13 +74,13 @@ def test_the_examples_of_help(run, command: str, monkeypatch: pytest.MonkeyPatch
 @pytest.mark.parametrize(
     "arguments",
     [
-        "inverse --input poses.csv",
+        "inverse --input poses.csv --degrees",
         "forward --input joints.csv --degrees",
-        "singularity --input poses.csv",
-        "classify --input poses.csv",
-        "velocity --input twists.csv",
+        "singularity --input poses.csv --degrees",
+        "classify --input poses.csv --degrees",
+        "velocity --input twists.csv --degrees",
         "trajectory --example 2",
-        "singularities --rpy 10 3 6",
+        "singularities --rpy 10 3 6 --degrees",
     ],
 )
 def test_help_and_page_name_every_column(run, arguments: str) -> None:

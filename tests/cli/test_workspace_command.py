@@ -16,6 +16,10 @@ from kleinform.commands.inverse import rotation_of
 from kleinform.maps import Volume, Workspace, constant_orientation_workspace
 
 PAPER = ("--rpy", 10, 3, 6, "--degrees")
+MARGINS = (
+    "margins are not bounded by quadrics, wrist arrived: "
+    "a workspace takes ranges alone, robot.watch takes margins too"
+)
 RANGES = """[ranges]
 q1 = [0.6, 1.5]
 q2 = [0.6, 1.5]
@@ -65,6 +69,34 @@ def test_typical_limits_grow_with_the_radius(run) -> None:
     assert volumes[1] == pytest.approx(8 * volumes[0], rel=1e-3)
 
 
+def test_limits_in_degrees(run, tmp_path: Path) -> None:
+    flint()
+    ranges = RANGES + "q5 = [{}, {}]\n"
+    (tmp_path / "deg.toml").write_text('unit = "deg"\n' + ranges.format(40, 90))
+    (tmp_path / "rad.toml").write_text(ranges.format(*np.radians([40.0, 90.0]).tolist()))
+    first, second = (
+        run("workspace", *PAPER, "--limits", name, "--tolerance", 1e-3)
+        for name in ("deg.toml", "rad.toml")
+    )
+    assert (first.code, first.err) == (0, "")
+    assert first.out == second.out
+
+
+@pytest.mark.parametrize(("degrees", "angle"), [((), "0.1 rad"), (("--degrees",), "5.72958 deg")])
+def test_an_empty_workspace_says_why(run, tmp_path: Path, degrees: tuple, angle: str) -> None:
+    """That there is no position is an answer, and not a silent one."""
+    flint()
+    text = "[ranges]\nq1 = [0.9, inf]\nq2 = [0.1, 9]\nq4 = [-0.1, 0.1]\nq5 = [-0.1, 0.1]\n"
+    (tmp_path / "limits.toml").write_text(text + "q6 = [0.5, 1.0]\ne1 = [-5, 5]\n")
+    ran = run("workspace", "--rpy", 0, 0, 0, "--limits", "limits.toml", *degrees)
+    assert ran.code == 0
+    assert ran.out.startswith("volume,volume_error,components\n0.0,")
+    ends = f"q1 >= 0.9 m, q4 >= -{angle}, q4 <= {angle}, q5 >= -{angle}, q5 <= {angle}, q6 <= 1 m"
+    assert ran.err == (
+        f"kleinform: the workspace is empty: at this orientation {ends} exclude each other\n"
+    )
+
+
 @pytest.mark.parametrize("suffix", [".stl", ".PLY"])
 def test_the_mesh(run, tmp_path: Path, quick, suffix: str) -> None:
     (tmp_path / "limits.toml").write_text(RANGES)
@@ -96,11 +128,14 @@ def test_a_tolerance_that_is_not_reached(run, quick) -> None:
     ("toml", "message"),
     [
         ("[ranges", "limits.toml: not TOML: "),
-        ("[range]", "limits.toml: [ranges] and [margins] are known, 'range' arrived"),
+        ("[range]", "limits.toml: [ranges], [margins], unit are known, 'range' arrived"),
         ("[ranges]\nq7 = [0, 1]", "limits.toml: ranges: one of q1, "),
         ("[ranges]\nq1 = [1, 0]", "limits.toml: q1: (low, high) with low < high is needed"),
         ("[ranges]\nq5 = [0, 1]", "limits: the workspace is unbounded"),
-        ("[margins]\nwrist = 0.1", "limits: margins are not bounded by quadrics"),
+        ("[ranges]\nq5 = [40, 90]", "limits.toml: q5: within a full turn is needed, [40, 90] "),
+        ("unit = 'grad'", 'limits.toml: unit: "rad" or "deg" is needed'),
+        ("[ranges]\nq1 = " + 5000 * "[", "limits.toml: not TOML of limits: nested too deep"),
+        ("[margins]\nwrist = 0.1", f"limits: {MARGINS}"),
     ],
 )
 def test_bad_limits(run, tmp_path: Path, toml: str, message: str) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import re
 import shutil
+import string
 import subprocess
 from pathlib import Path
 
@@ -61,6 +62,57 @@ def test_the_example_computes_what_numpy_does(tmp_path: Path) -> None:
     wanted = robot.inverse_displacement(position, rotation)
     np.testing.assert_allclose(joints, wanted, rtol=1e-15)
     np.testing.assert_allclose(rates, robot.inverse_velocity(position, rotation, twist), rtol=1e-14)
+
+
+#: What headers of controllers, of the C library and of Windows define, beside single letters.
+MACROS = (
+    *("PI", "TWO_PI", "HALF_PI", "EPS", "EPSILON", "NULL", "TRUE", "FALSE", "BIT", "B0", "F_CPU"),
+    *("min", "max", "abs", "round", "sq", "constrain", "radians", "degrees", "lowByte", "bit"),
+    *("near", "far", "small", "interface", "IN", "OUT", "in", "out", "input", "output", "INPUT"),
+    *("A0", "A1", "D1", "N", "DT", "Kp", "R0", "R1", "n1", "n2", "J", "M_PI", "_I", "complex"),
+    *("unix", "linux", "major", "minor", "signals", "slots", "emit", "assert", "errno", "stdin"),
+)
+HOSTILE = """
+#include "kernels.h"
+int main(void) { return 0; }
+"""
+
+
+def words_of_kernels() -> set[str]:
+    """Names that somebody who writes about this robot may define, all cases of them."""
+    fields = [field for kernel in kernels() for field in (*kernel.inputs, *kernel.outputs)]
+    names = {field.name for field in fields}
+    for field in fields:
+        names |= {str(symbol) for symbol in field.entries.free_symbols}
+        names |= set(re.findall(r"[A-Za-z]\w*", field.words))
+    parts = {part for name in names for part in name.split("_") if part}
+    forms = {form for name in names | parts for form in (name, name.lower(), name.upper())}
+    return {form for form in forms if form.isascii() and form.isidentifier()}
+
+
+@pytest.mark.parametrize("compiler", COMPILERS)
+def test_no_macro_breaks_the_header(compiler: str, tmp_path: Path) -> None:
+    """Every letter, common macros, and every word of the kernels, defined before the header."""
+    needed(compiler)
+    keywords = {"const", "double", "extern", "void", "int", "main", "return", "and", "or", "not"}
+    macros = {*string.ascii_letters, *MACROS, *words_of_kernels()} - keywords
+    assert {"R", "a", "I", "joints", "J_v", "pitch", "next"} <= macros
+    assert len(macros) > 300
+    file = tmp_path / "hostile.c"
+    includes = "" if "++" in compiler else "#include <complex.h>\n"
+    lines = [f"#undef {name}\n#define {name} 5 +" for name in sorted(macros)]
+    file.write_text(includes + "\n".join(lines) + HOSTILE, encoding="utf-8")
+    run(*COMPILERS[compiler], "-Wall", "-Wextra", "-Werror", f"-I{SOURCES}", "-c", file)
+
+
+def test_what_a_macro_could_replace_in_the_header() -> None:
+    """Names that begin with kleinform_, KLEINFORM_, in_ or out_, and nothing else."""
+    header = (SOURCES / "kernels.h").read_text(encoding="utf-8")
+    code = re.sub(r"/\*.*?\*/", "", header, flags=re.DOTALL)
+    code = re.sub(r"^#.*$", "", code, flags=re.MULTILINE).replace('extern "C"', "")
+    names = set(re.findall(r"[A-Za-z_]\w*", code)) - {"const", "double", "void"}
+    assert {"in_R", "out_joints"} <= names
+    assert {name for name in names if not re.match("(kleinform|KLEINFORM|in|out)_", name)} == set()
 
 
 def test_every_kernel_is_documented() -> None:

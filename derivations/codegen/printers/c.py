@@ -32,6 +32,7 @@ HEADER = """\
    Plain C99, also C++: no allocation, no globals, nothing but libm. Lengths in m, angles in
    rad, everything in the base frame. A matrix is an array of its rows, one after the other.
    Nothing is checked: a singular pose gives inf, or NaN where 0/0. Arrays must not overlap.
+   What goes in is named in_, what comes out out_: no macro of yours, R or I, is in the way.
 
    Compile without value-changing optimisation (-ffast-math) and with -ffp-contract=off for
    the same results on every machine. */
@@ -120,37 +121,34 @@ def _comment(program: Program) -> str:
     """What a function does, and each argument with shape, words and unit."""
     kernel = program.kernel
     lines = [kernel.words, f"Equations {kernel.numbers} of the paper; base frame."]
-    named: list[tuple[str, str, Field]]
-    named = [("in", entry.name, entry) for entry in kernel.inputs]
-    named += [("out", _result_name(entry, kernel), entry) for entry in kernel.outputs]
-    for title, name, field in named:
+    for name, field in _arguments(kernel):
         shape = "".join(f"[{size}]" for size in field.shape)
-        lines.append(f"{title:4}{name}{shape}: {field.words} [{field.unit}]")
+        lines.append(f"{name}{shape}: {field.words} [{field.unit}]")
     return "/* " + "\n   ".join(lines) + " */"
 
 
 def _prototype(program: Program) -> str:
     kernel = program.kernel
     arguments = [_given(entry) for entry in kernel.inputs]
-    arguments += [_returned(entry, kernel) for entry in kernel.outputs]
+    arguments += [_returned(entry) for entry in kernel.outputs]
     return f"KLEINFORM_API void kleinform_{kernel.name}(\n    " + ",\n    ".join(arguments) + ")"
+
+
+def _arguments(kernel: Kernel) -> list[tuple[str, Field]]:
+    """Every argument by its name in C, a name that no macro has: R, I or pitch may be one."""
+    given = [(f"in_{field.name}", field) for field in kernel.inputs]
+    return given + [(f"out_{field.name}", field) for field in kernel.outputs]
 
 
 def _given(field: Field) -> str:
     if not field.shape:
-        return f"double {field.name}"
-    return f"const double {field.name}[{math.prod(field.shape)}]"
+        return f"double in_{field.name}"
+    return f"const double in_{field.name}[{math.prod(field.shape)}]"
 
 
-def _returned(field: Field, kernel: Kernel) -> str:
-    name = _result_name(field, kernel)
+def _returned(field: Field) -> str:
+    name = f"out_{field.name}"
     return f"double {name}[{math.prod(field.shape)}]" if field.shape else f"double *{name}"
-
-
-def _result_name(field: Field, kernel: Kernel) -> str:
-    """The output's name, unless an input has it too."""
-    taken = any(entry.name == field.name for entry in kernel.inputs)
-    return f"{field.name}_out" if taken else field.name
 
 
 def _body(program: Program) -> str:
@@ -194,8 +192,8 @@ def _at(index: int) -> str:
 
 def _one_pose(program: Program) -> str:
     kernel = program.kernel
-    given = [entry.name if entry.shape else f"&{entry.name}" for entry in kernel.inputs]
-    given += [_result_name(entry, kernel) for entry in kernel.outputs]
+    given = [f"in_{entry.name}" if entry.shape else f"&in_{entry.name}" for entry in kernel.inputs]
+    given += [f"out_{entry.name}" for entry in kernel.outputs]
     return f"{_prototype(program)}\n{{\n    {kernel.name}_body(1, {', '.join(given)});\n}}"
 
 

@@ -2,6 +2,9 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Kernels of the uncoupled manipulator 3-RPRRC+RRPRU, on arrays."""
 
+from importlib import import_module
+from types import ModuleType
+
 from kleinform_kernels._backend import BACKEND
 from kleinform_kernels.uncoupled.numpy_kernels import (
     ActuatorForces,
@@ -181,3 +184,10 @@ __all__ = [
     "survey",
     "turned_directions",
 ]
+
+
+def __getattr__(name: str) -> ModuleType:
+    """Modules that are loaded when somebody asks for them."""
+    if name in ("arb_kernels", "compiled_kernels", "gufuncs", "mpmath_kernels"):
+        return import_module(f"{__name__}.{name}")
+    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -169,16 +169,16 @@ KLEINFORM_BODY void inverse_displacement_body(
 }
 
 KLEINFORM_API void kleinform_inverse_displacement(
-    double a,
-    const double c[3],
-    const double R[9],
-    double joints[6],
-    double extension[3],
-    double platform_joints[9],
-    double incidence[3],
-    double *radial)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    double out_joints[6],
+    double out_extension[3],
+    double out_platform_joints[9],
+    double out_incidence[3],
+    double *out_radial)
 {
-    inverse_displacement_body(1, &a, c, R, joints, extension, platform_joints, incidence, radial);
+    inverse_displacement_body(1, &in_a, in_c, in_R, out_joints, out_extension, out_platform_joints, out_incidence, out_radial);
 }
 
 KLEINFORM_BODY void central_forward_body(
@@ -208,11 +208,11 @@ KLEINFORM_BODY void central_forward_body(
 }
 
 KLEINFORM_API void kleinform_central_forward(
-    const double joints[3],
-    double position[3],
-    double direction[3])
+    const double in_joints[3],
+    double out_position[3],
+    double out_direction[3])
 {
-    central_forward_body(1, joints, position, direction);
+    central_forward_body(1, in_joints, out_position, out_direction);
 }
 
 KLEINFORM_BODY void central_inverse_body(
@@ -240,11 +240,11 @@ KLEINFORM_BODY void central_inverse_body(
 }
 
 KLEINFORM_API void kleinform_central_inverse(
-    const double c[3],
-    double joints[3],
-    double *radial)
+    const double in_c[3],
+    double out_joints[3],
+    double *out_radial)
 {
-    central_inverse_body(1, c, joints, radial);
+    central_inverse_body(1, in_c, out_joints, out_radial);
 }
 
 KLEINFORM_BODY void closure_body(
@@ -418,14 +418,14 @@ KLEINFORM_BODY void closure_body(
 }
 
 KLEINFORM_API void kleinform_closure(
-    double a,
-    const double c[3],
-    const double lengths[3],
-    const double directions[6],
-    double residual[6],
-    double jacobian[36])
+    double in_a,
+    const double in_c[3],
+    const double in_lengths[3],
+    const double in_directions[6],
+    double out_residual[6],
+    double out_jacobian[36])
 {
-    closure_body(1, &a, c, lengths, directions, residual, jacobian);
+    closure_body(1, &in_a, in_c, in_lengths, in_directions, out_residual, out_jacobian);
 }
 
 KLEINFORM_BODY void cones_body(
@@ -544,14 +544,14 @@ KLEINFORM_BODY void cones_body(
 }
 
 KLEINFORM_API void kleinform_cones(
-    double a,
-    const double c[3],
-    const double lengths[3],
-    double cone_1[9],
-    double cone_2[9],
-    double cone_3[9])
+    double in_a,
+    const double in_c[3],
+    const double in_lengths[3],
+    double out_cone_1[9],
+    double out_cone_2[9],
+    double out_cone_3[9])
 {
-    cones_body(1, &a, c, lengths, cone_1, cone_2, cone_3);
+    cones_body(1, &in_a, in_c, in_lengths, out_cone_1, out_cone_2, out_cone_3);
 }
 
 KLEINFORM_BODY void eliminant_body(
@@ -733,15 +733,15 @@ KLEINFORM_BODY void eliminant_body(
 }
 
 KLEINFORM_API void kleinform_eliminant(
-    double a,
-    const double c[3],
-    const double lengths[3],
-    const double angle[2],
-    const double reference[3],
-    double *eliminant,
-    double *bound)
+    double in_a,
+    const double in_c[3],
+    const double in_lengths[3],
+    const double in_angle[2],
+    const double in_reference[3],
+    double *out_eliminant,
+    double *out_bound)
 {
-    eliminant_body(1, &a, c, lengths, angle, reference, eliminant, bound);
+    eliminant_body(1, &in_a, in_c, in_lengths, in_angle, in_reference, out_eliminant, out_bound);
 }
 
 KLEINFORM_BODY void half_turn_body(
@@ -939,15 +939,15 @@ KLEINFORM_BODY void half_turn_body(
 }
 
 KLEINFORM_API void kleinform_half_turn(
-    double a,
-    const double c[3],
-    const double lengths[3],
-    const double angle[2],
-    const double reference[3],
-    double frame[9],
-    double powers[8])
+    double in_a,
+    const double in_c[3],
+    const double in_lengths[3],
+    const double in_angle[2],
+    const double in_reference[3],
+    double out_frame[9],
+    double out_powers[8])
 {
-    half_turn_body(1, &a, c, lengths, angle, reference, frame, powers);
+    half_turn_body(1, &in_a, in_c, in_lengths, in_angle, in_reference, out_frame, out_powers);
 }
 
 KLEINFORM_BODY void turned_directions_body(
@@ -985,11 +985,11 @@ KLEINFORM_BODY void turned_directions_body(
 }
 
 KLEINFORM_API void kleinform_turned_directions(
-    const double frame[9],
-    const double half_angle[2],
-    double directions[6])
+    const double in_frame[9],
+    const double in_half_angle[2],
+    double out_directions[6])
 {
-    turned_directions_body(1, frame, half_angle, directions);
+    turned_directions_body(1, in_frame, in_half_angle, out_directions);
 }
 
 KLEINFORM_BODY void circles_body(
@@ -1296,16 +1296,16 @@ KLEINFORM_BODY void circles_body(
 }
 
 KLEINFORM_API void kleinform_circles(
-    double a,
-    const double c[3],
-    const double lengths[3],
-    const double start[4],
-    double angle[25],
-    double cone[25],
-    double first[9],
-    double second[9])
+    double in_a,
+    const double in_c[3],
+    const double in_lengths[3],
+    const double in_start[4],
+    double out_angle[25],
+    double out_cone[25],
+    double out_first[9],
+    double out_second[9])
 {
-    circles_body(1, &a, c, lengths, start, angle, cone, first, second);
+    circles_body(1, &in_a, in_c, in_lengths, in_start, out_angle, out_cone, out_first, out_second);
 }
 
 KLEINFORM_BODY void arms_body(
@@ -1395,14 +1395,14 @@ KLEINFORM_BODY void arms_body(
 }
 
 KLEINFORM_API void kleinform_arms(
-    double a,
-    const double c[3],
-    const double lengths[3],
-    const double start[4],
-    const double half_tangents[2],
-    double arms[6])
+    double in_a,
+    const double in_c[3],
+    const double in_lengths[3],
+    const double in_start[4],
+    const double in_half_tangents[2],
+    double out_arms[6])
 {
-    arms_body(1, &a, c, lengths, start, half_tangents, arms);
+    arms_body(1, &in_a, in_c, in_lengths, in_start, in_half_tangents, out_arms);
 }
 
 KLEINFORM_BODY void newton_step_body(
@@ -1577,17 +1577,17 @@ KLEINFORM_BODY void newton_step_body(
 }
 
 KLEINFORM_API void kleinform_newton_step(
-    double a,
-    const double c[3],
-    const double lengths[3],
-    const double directions[6],
-    double next[6],
-    double turn[3],
-    double residual[3],
-    double gradient[9],
-    double *volume)
+    double in_a,
+    const double in_c[3],
+    const double in_lengths[3],
+    const double in_directions[6],
+    double out_next[6],
+    double out_turn[3],
+    double out_residual[3],
+    double out_gradient[9],
+    double *out_volume)
 {
-    newton_step_body(1, &a, c, lengths, directions, next, turn, residual, gradient, volume);
+    newton_step_body(1, &in_a, in_c, in_lengths, in_directions, out_next, out_turn, out_residual, out_gradient, out_volume);
 }
 
 KLEINFORM_BODY void leg_step_body(
@@ -1781,17 +1781,17 @@ KLEINFORM_BODY void leg_step_body(
 }
 
 KLEINFORM_API void kleinform_leg_step(
-    double a,
-    const double c[3],
-    const double lengths[3],
-    const double angle[2],
-    const double second[3],
-    double angle_out[2],
-    double directions[6],
-    double *extension,
-    double steps[2])
+    double in_a,
+    const double in_c[3],
+    const double in_lengths[3],
+    const double in_angle[2],
+    const double in_second[3],
+    double out_angle[2],
+    double out_directions[6],
+    double *out_extension,
+    double out_steps[2])
 {
-    leg_step_body(1, &a, c, lengths, angle, second, angle_out, directions, extension, steps);
+    leg_step_body(1, &in_a, in_c, in_lengths, in_angle, in_second, out_angle, out_directions, out_extension, out_steps);
 }
 
 KLEINFORM_BODY void fold_body(
@@ -2072,16 +2072,16 @@ KLEINFORM_BODY void fold_body(
 }
 
 KLEINFORM_API void kleinform_fold(
-    double a,
-    const double joints[6],
-    const double directions[6],
-    double residual[3],
-    double gradient[9],
-    double *volume,
-    double volume_gradient[3],
-    double by_joints[18])
+    double in_a,
+    const double in_joints[6],
+    const double in_directions[6],
+    double out_residual[3],
+    double out_gradient[9],
+    double *out_volume,
+    double out_volume_gradient[3],
+    double out_by_joints[18])
 {
-    fold_body(1, &a, joints, directions, residual, gradient, volume, volume_gradient, by_joints);
+    fold_body(1, &in_a, in_joints, in_directions, out_residual, out_gradient, out_volume, out_volume_gradient, out_by_joints);
 }
 
 KLEINFORM_BODY void rotation_from_rpy_body(
@@ -2125,12 +2125,12 @@ KLEINFORM_BODY void rotation_from_rpy_body(
 }
 
 KLEINFORM_API void kleinform_rotation_from_rpy(
-    double roll,
-    double pitch,
-    double yaw,
-    double rotation[9])
+    double in_roll,
+    double in_pitch,
+    double in_yaw,
+    double out_rotation[9])
 {
-    rotation_from_rpy_body(1, &roll, &pitch, &yaw, rotation);
+    rotation_from_rpy_body(1, &in_roll, &in_pitch, &in_yaw, out_rotation);
 }
 
 KLEINFORM_BODY void rpy_from_rotation_body(
@@ -2161,12 +2161,12 @@ KLEINFORM_BODY void rpy_from_rotation_body(
 }
 
 KLEINFORM_API void kleinform_rpy_from_rotation(
-    const double R[9],
-    double *roll,
-    double *pitch,
-    double *yaw)
+    const double in_R[9],
+    double *out_roll,
+    double *out_pitch,
+    double *out_yaw)
 {
-    rpy_from_rotation_body(1, R, roll, pitch, yaw);
+    rpy_from_rotation_body(1, in_R, out_roll, out_pitch, out_yaw);
 }
 
 KLEINFORM_BODY void rotation_from_directions_body(
@@ -2209,11 +2209,11 @@ KLEINFORM_BODY void rotation_from_directions_body(
 }
 
 KLEINFORM_API void kleinform_rotation_from_directions(
-    const double n1[3],
-    const double n2[3],
-    double rotation[9])
+    const double in_n1[3],
+    const double in_n2[3],
+    double out_rotation[9])
 {
-    rotation_from_directions_body(1, n1, n2, rotation);
+    rotation_from_directions_body(1, in_n1, in_n2, out_rotation);
 }
 
 KLEINFORM_BODY void rotation_defect_body(
@@ -2240,10 +2240,10 @@ KLEINFORM_BODY void rotation_defect_body(
 }
 
 KLEINFORM_API void kleinform_rotation_defect(
-    const double R[9],
-    double *defect)
+    const double in_R[9],
+    double *out_defect)
 {
-    rotation_defect_body(1, R, defect);
+    rotation_defect_body(1, in_R, out_defect);
 }
 
 KLEINFORM_BODY void limb_geometry_body(
@@ -2468,14 +2468,14 @@ KLEINFORM_BODY void limb_geometry_body(
 }
 
 KLEINFORM_API void kleinform_limb_geometry(
-    double a,
-    const double c[3],
-    const double R[9],
-    double d[9],
-    double w[9],
-    double lines[18])
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    double out_d[9],
+    double out_w[9],
+    double out_lines[18])
 {
-    limb_geometry_body(1, &a, c, R, d, w, lines);
+    limb_geometry_body(1, &in_a, in_c, in_R, out_d, out_w, out_lines);
 }
 
 KLEINFORM_BODY void screws_body(
@@ -2840,21 +2840,21 @@ KLEINFORM_BODY void screws_body(
 }
 
 KLEINFORM_API void kleinform_screws(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double heading[2],
-    double limb1[36],
-    double limb2[36],
-    double limb3[36],
-    double limb4[36],
-    double incidence[3],
-    double scaled_legs[3],
-    double *radial,
-    double *central_length,
-    double *reach)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_heading[2],
+    double out_limb1[36],
+    double out_limb2[36],
+    double out_limb3[36],
+    double out_limb4[36],
+    double out_incidence[3],
+    double out_scaled_legs[3],
+    double *out_radial,
+    double *out_central_length,
+    double *out_reach)
 {
-    screws_body(1, &a, c, R, heading, limb1, limb2, limb3, limb4, incidence, scaled_legs, radial, central_length, reach);
+    screws_body(1, &in_a, in_c, in_R, in_heading, out_limb1, out_limb2, out_limb3, out_limb4, out_incidence, out_scaled_legs, out_radial, out_central_length, out_reach);
 }
 
 KLEINFORM_BODY void jacobians_body(
@@ -3125,19 +3125,19 @@ KLEINFORM_BODY void jacobians_body(
 }
 
 KLEINFORM_API void kleinform_jacobians(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double heading[2],
-    double J_v[36],
-    double J_q[36],
-    double incidence[3],
-    double scaled_legs[3],
-    double *radial,
-    double *central_length,
-    double *reach)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_heading[2],
+    double out_J_v[36],
+    double out_J_q[36],
+    double out_incidence[3],
+    double out_scaled_legs[3],
+    double *out_radial,
+    double *out_central_length,
+    double *out_reach)
 {
-    jacobians_body(1, &a, c, R, heading, J_v, J_q, incidence, scaled_legs, radial, central_length, reach);
+    jacobians_body(1, &in_a, in_c, in_R, in_heading, out_J_v, out_J_q, out_incidence, out_scaled_legs, out_radial, out_central_length, out_reach);
 }
 
 KLEINFORM_BODY void joints_and_jacobians_body(
@@ -3412,15 +3412,15 @@ KLEINFORM_BODY void joints_and_jacobians_body(
 }
 
 KLEINFORM_API void kleinform_joints_and_jacobians(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double heading[2],
-    double joints[6],
-    double J_v[36],
-    double J_q[36])
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_heading[2],
+    double out_joints[6],
+    double out_J_v[36],
+    double out_J_q[36])
 {
-    joints_and_jacobians_body(1, &a, c, R, heading, joints, J_v, J_q);
+    joints_and_jacobians_body(1, &in_a, in_c, in_R, in_heading, out_joints, out_J_v, out_J_q);
 }
 
 KLEINFORM_BODY void inverse_velocity_body(
@@ -3571,18 +3571,18 @@ KLEINFORM_BODY void inverse_velocity_body(
 }
 
 KLEINFORM_API void kleinform_inverse_velocity(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double twist[6],
-    double rates[6],
-    double incidence[3],
-    double scaled_legs[3],
-    double *radial,
-    double *central_length,
-    double *reach)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_twist[6],
+    double out_rates[6],
+    double out_incidence[3],
+    double out_scaled_legs[3],
+    double *out_radial,
+    double *out_central_length,
+    double *out_reach)
 {
-    inverse_velocity_body(1, &a, c, R, twist, rates, incidence, scaled_legs, radial, central_length, reach);
+    inverse_velocity_body(1, &in_a, in_c, in_R, in_twist, out_rates, out_incidence, out_scaled_legs, out_radial, out_central_length, out_reach);
 }
 
 KLEINFORM_BODY void forward_velocity_body(
@@ -3810,24 +3810,24 @@ KLEINFORM_BODY void forward_velocity_body(
 }
 
 KLEINFORM_API void kleinform_forward_velocity(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double heading[2],
-    const double rates[6],
-    double twist[6],
-    double *determinant,
-    double extension[3],
-    double extension_scale[3],
-    double *orientation,
-    double *orientation_scale,
-    double incidence[3],
-    double scaled_legs[3],
-    double *radial,
-    double *central_length,
-    double *reach)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_heading[2],
+    const double in_rates[6],
+    double out_twist[6],
+    double *out_determinant,
+    double out_extension[3],
+    double out_extension_scale[3],
+    double *out_orientation,
+    double *out_orientation_scale,
+    double out_incidence[3],
+    double out_scaled_legs[3],
+    double *out_radial,
+    double *out_central_length,
+    double *out_reach)
 {
-    forward_velocity_body(1, &a, c, R, heading, rates, twist, determinant, extension, extension_scale, orientation, orientation_scale, incidence, scaled_legs, radial, central_length, reach);
+    forward_velocity_body(1, &in_a, in_c, in_R, in_heading, in_rates, out_twist, out_determinant, out_extension, out_extension_scale, out_orientation, out_orientation_scale, out_incidence, out_scaled_legs, out_radial, out_central_length, out_reach);
 }
 
 KLEINFORM_BODY void joint_rates_body(
@@ -4145,21 +4145,21 @@ KLEINFORM_BODY void joint_rates_body(
 }
 
 KLEINFORM_API void kleinform_joint_rates(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double heading[2],
-    const double twist[6],
-    double rates[24],
-    double *wrist,
-    double *wrist_scale,
-    double incidence[3],
-    double scaled_legs[3],
-    double *radial,
-    double *central_length,
-    double *reach)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_heading[2],
+    const double in_twist[6],
+    double out_rates[24],
+    double *out_wrist,
+    double *out_wrist_scale,
+    double out_incidence[3],
+    double out_scaled_legs[3],
+    double *out_radial,
+    double *out_central_length,
+    double *out_reach)
 {
-    joint_rates_body(1, &a, c, R, heading, twist, rates, wrist, wrist_scale, incidence, scaled_legs, radial, central_length, reach);
+    joint_rates_body(1, &in_a, in_c, in_R, in_heading, in_twist, out_rates, out_wrist, out_wrist_scale, out_incidence, out_scaled_legs, out_radial, out_central_length, out_reach);
 }
 
 KLEINFORM_BODY void platform_wrench_body(
@@ -4367,18 +4367,18 @@ KLEINFORM_BODY void platform_wrench_body(
 }
 
 KLEINFORM_API void kleinform_platform_wrench(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double forces[6],
-    double wrench[6],
-    double incidence[3],
-    double scaled_legs[3],
-    double *radial,
-    double *central_length,
-    double *reach)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_forces[6],
+    double out_wrench[6],
+    double out_incidence[3],
+    double out_scaled_legs[3],
+    double *out_radial,
+    double *out_central_length,
+    double *out_reach)
 {
-    platform_wrench_body(1, &a, c, R, forces, wrench, incidence, scaled_legs, radial, central_length, reach);
+    platform_wrench_body(1, &in_a, in_c, in_R, in_forces, out_wrench, out_incidence, out_scaled_legs, out_radial, out_central_length, out_reach);
 }
 
 KLEINFORM_BODY void actuator_forces_body(
@@ -4634,23 +4634,23 @@ KLEINFORM_BODY void actuator_forces_body(
 }
 
 KLEINFORM_API void kleinform_actuator_forces(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double heading[2],
-    const double wrench[6],
-    double forces[6],
-    double extension[3],
-    double extension_scale[3],
-    double *orientation,
-    double *orientation_scale,
-    double incidence[3],
-    double scaled_legs[3],
-    double *radial,
-    double *central_length,
-    double *reach)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_heading[2],
+    const double in_wrench[6],
+    double out_forces[6],
+    double out_extension[3],
+    double out_extension_scale[3],
+    double *out_orientation,
+    double *out_orientation_scale,
+    double out_incidence[3],
+    double out_scaled_legs[3],
+    double *out_radial,
+    double *out_central_length,
+    double *out_reach)
 {
-    actuator_forces_body(1, &a, c, R, heading, wrench, forces, extension, extension_scale, orientation, orientation_scale, incidence, scaled_legs, radial, central_length, reach);
+    actuator_forces_body(1, &in_a, in_c, in_R, in_heading, in_wrench, out_forces, out_extension, out_extension_scale, out_orientation, out_orientation_scale, out_incidence, out_scaled_legs, out_radial, out_central_length, out_reach);
 }
 
 KLEINFORM_BODY void inverse_acceleration_body(
@@ -4908,20 +4908,20 @@ KLEINFORM_BODY void inverse_acceleration_body(
 }
 
 KLEINFORM_API void kleinform_inverse_acceleration(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double twist[6],
-    const double twist_rate[6],
-    double rates[6],
-    double accelerations[6],
-    double incidence[3],
-    double scaled_legs[3],
-    double *radial,
-    double *central_length,
-    double *reach)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_twist[6],
+    const double in_twist_rate[6],
+    double out_rates[6],
+    double out_accelerations[6],
+    double out_incidence[3],
+    double out_scaled_legs[3],
+    double *out_radial,
+    double *out_central_length,
+    double *out_reach)
 {
-    inverse_acceleration_body(1, &a, c, R, twist, twist_rate, rates, accelerations, incidence, scaled_legs, radial, central_length, reach);
+    inverse_acceleration_body(1, &in_a, in_c, in_R, in_twist, in_twist_rate, out_rates, out_accelerations, out_incidence, out_scaled_legs, out_radial, out_central_length, out_reach);
 }
 
 KLEINFORM_BODY void forward_acceleration_body(
@@ -5250,25 +5250,25 @@ KLEINFORM_BODY void forward_acceleration_body(
 }
 
 KLEINFORM_API void kleinform_forward_acceleration(
-    double a,
-    const double c[3],
-    const double R[9],
-    const double heading[2],
-    const double rates[6],
-    const double accelerations[6],
-    double twist[6],
-    double twist_rate[6],
-    double extension[3],
-    double extension_scale[3],
-    double *orientation,
-    double *orientation_scale,
-    double incidence[3],
-    double scaled_legs[3],
-    double *radial,
-    double *central_length,
-    double *reach)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    const double in_heading[2],
+    const double in_rates[6],
+    const double in_accelerations[6],
+    double out_twist[6],
+    double out_twist_rate[6],
+    double out_extension[3],
+    double out_extension_scale[3],
+    double *out_orientation,
+    double *out_orientation_scale,
+    double out_incidence[3],
+    double out_scaled_legs[3],
+    double *out_radial,
+    double *out_central_length,
+    double *out_reach)
 {
-    forward_acceleration_body(1, &a, c, R, heading, rates, accelerations, twist, twist_rate, extension, extension_scale, orientation, orientation_scale, incidence, scaled_legs, radial, central_length, reach);
+    forward_acceleration_body(1, &in_a, in_c, in_R, in_heading, in_rates, in_accelerations, out_twist, out_twist_rate, out_extension, out_extension_scale, out_orientation, out_orientation_scale, out_incidence, out_scaled_legs, out_radial, out_central_length, out_reach);
 }
 
 KLEINFORM_BODY void inverse_singularity_body(
@@ -5420,18 +5420,18 @@ KLEINFORM_BODY void inverse_singularity_body(
 }
 
 KLEINFORM_API void kleinform_inverse_singularity(
-    double a,
-    const double c[3],
-    const double R[9],
-    double *determinant,
-    double limb[3],
-    double *central,
-    double *wrist,
-    double limb_scale[3],
-    double *central_scale,
-    double *wrist_scale)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    double *out_determinant,
+    double out_limb[3],
+    double *out_central,
+    double *out_wrist,
+    double out_limb_scale[3],
+    double *out_central_scale,
+    double *out_wrist_scale)
 {
-    inverse_singularity_body(1, &a, c, R, determinant, limb, central, wrist, limb_scale, central_scale, wrist_scale);
+    inverse_singularity_body(1, &in_a, in_c, in_R, out_determinant, out_limb, out_central, out_wrist, out_limb_scale, out_central_scale, out_wrist_scale);
 }
 
 KLEINFORM_BODY void direct_singularity_body(
@@ -5585,18 +5585,18 @@ KLEINFORM_BODY void direct_singularity_body(
 }
 
 KLEINFORM_API void kleinform_direct_singularity(
-    double a,
-    const double c[3],
-    const double R[9],
-    double *determinant,
-    double extension[3],
-    double *orientation,
-    double *wrist,
-    double extension_scale[3],
-    double *orientation_scale,
-    double *wrist_scale)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    double *out_determinant,
+    double out_extension[3],
+    double *out_orientation,
+    double *out_wrist,
+    double out_extension_scale[3],
+    double *out_orientation_scale,
+    double *out_wrist_scale)
 {
-    direct_singularity_body(1, &a, c, R, determinant, extension, orientation, wrist, extension_scale, orientation_scale, wrist_scale);
+    direct_singularity_body(1, &in_a, in_c, in_R, out_determinant, out_extension, out_orientation, out_wrist, out_extension_scale, out_orientation_scale, out_wrist_scale);
 }
 
 KLEINFORM_BODY void survey_body(
@@ -5821,24 +5821,24 @@ KLEINFORM_BODY void survey_body(
 }
 
 KLEINFORM_API void kleinform_survey(
-    double a,
-    const double c[3],
-    const double R[9],
-    double joints[6],
-    double extension[3],
-    double *inverse_determinant,
-    double *direct_determinant,
-    double limb[3],
-    double *central,
-    double *wrist,
-    double *orientation,
-    double limb_scale[3],
-    double *central_scale,
-    double *wrist_scale,
-    double extension_scale[3],
-    double *orientation_scale)
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    double out_joints[6],
+    double out_extension[3],
+    double *out_inverse_determinant,
+    double *out_direct_determinant,
+    double out_limb[3],
+    double *out_central,
+    double *out_wrist,
+    double *out_orientation,
+    double out_limb_scale[3],
+    double *out_central_scale,
+    double *out_wrist_scale,
+    double out_extension_scale[3],
+    double *out_orientation_scale)
 {
-    survey_body(1, &a, c, R, joints, extension, inverse_determinant, direct_determinant, limb, central, wrist, orientation, limb_scale, central_scale, wrist_scale, extension_scale, orientation_scale);
+    survey_body(1, &in_a, in_c, in_R, out_joints, out_extension, out_inverse_determinant, out_direct_determinant, out_limb, out_central, out_wrist, out_orientation, out_limb_scale, out_central_scale, out_wrist_scale, out_extension_scale, out_orientation_scale);
 }
 
 KLEINFORM_BODY void direct_locus_body(
@@ -6005,12 +6005,12 @@ KLEINFORM_BODY void direct_locus_body(
 }
 
 KLEINFORM_API void kleinform_direct_locus(
-    double a,
-    const double R[9],
-    double coefficients[20],
-    double incidence[3])
+    double in_a,
+    const double in_R[9],
+    double out_coefficients[20],
+    double out_incidence[3])
 {
-    direct_locus_body(1, &a, R, coefficients, incidence);
+    direct_locus_body(1, &in_a, in_R, out_coefficients, out_incidence);
 }
 
 KLEINFORM_BODY void orientation_locus_body(
@@ -6225,12 +6225,12 @@ KLEINFORM_BODY void orientation_locus_body(
 }
 
 KLEINFORM_API void kleinform_orientation_locus(
-    double a,
-    const double c[3],
-    const double R[9],
-    double *value,
-    double by_turn[3],
-    double by_position[3])
+    double in_a,
+    const double in_c[3],
+    const double in_R[9],
+    double *out_value,
+    double out_by_turn[3],
+    double out_by_position[3])
 {
-    orientation_locus_body(1, &a, c, R, value, by_turn, by_position);
+    orientation_locus_body(1, &in_a, in_c, in_R, out_value, out_by_turn, out_by_position);
 }

@@ -574,5 +574,5 @@ static const struct kernel kernels[] = {
 };
 
 const struct table VARIANT_OF(kleinform_table) = {
-    33, 379223227UL, kernels,
+    33, 3233281561UL, kernels,
 };

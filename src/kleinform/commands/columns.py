@@ -8,6 +8,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from kleinform.errors import InputError
+from kleinform.joints import TURN
+
 __all__ = [
     "ACCELERATIONS",
     "ANGLES",
@@ -53,6 +56,8 @@ FACTORS = (
 DEGENERATE = ("c·u_1=a", "c·u_2=a", "c·u_3=a", "q_1=0", "q_2=0", "q_3=0", "q_6=0")
 
 LENGTHS_AND_ANGLES = ("m", "m", "m", "rad", "rad", "m")
+#: Angles that do not count turns.
+WITHIN_A_TURN = (*ANGLES, "q5")
 UNITS = {
     "t": "s",
     **dict.fromkeys((*POSITION, *EXTENSIONS), "m"),
@@ -74,9 +79,23 @@ def unit(name: str, degrees: bool) -> str:
     return known.replace("rad", "deg") if degrees else known
 
 
-def in_radians(table: Table) -> Table:
-    """A table whose angles and angular rates are in degrees, with them in radians."""
-    return {name: np.radians(column) if _turns(name) else column for name, column in table.items()}
+def in_radians(table: Table, degrees: bool) -> Table:
+    """A table as it arrived, its angles and angular rates in radians.
+
+    Raises
+    ------
+    InputError
+        An angle in radians is beyond a full turn, as one in degrees would be. q4 is left alone,
+        since it may count its turns. The mask has the rows.
+    """
+    if degrees:
+        return {
+            name: np.radians(column) if _turns(name) else column for name, column in table.items()
+        }
+    for name in WITHIN_A_TURN:
+        if name in table:
+            _reject_beyond_a_turn(name, table[name])
+    return table
 
 
 def in_degrees(table: Table) -> Table:
@@ -104,3 +123,15 @@ def joined(names: Sequence[str], where: NDArray[np.bool_]) -> NDArray[np.str_]:
 
 def _turns(name: str) -> bool:
     return UNITS.get(name, "").startswith("rad")
+
+
+def _reject_beyond_a_turn(name: str, angles: Array) -> None:
+    """Refuse finite angles beyond 2π: the unit is wrong, and so the whole table."""
+    beyond = (abs(angles) > TURN) & np.isfinite(angles)
+    if beyond.any():
+        first = float(angles[beyond][0])
+        raise InputError(
+            f"{name}: within a full turn in rad is needed, {first!r} arrived; "
+            "if angles are in degrees, give --degrees",
+            beyond,
+        )

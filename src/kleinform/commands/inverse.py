@@ -5,7 +5,17 @@ from __future__ import annotations
 import numpy as np
 
 from kleinform.commands import options
-from kleinform.commands.columns import ANGLES, JOINTS, POSE, POSITION, Array, Table, named, stacked
+from kleinform.commands.columns import (
+    ANGLES,
+    JOINTS,
+    POSE,
+    POSITION,
+    Array,
+    Table,
+    in_radians,
+    named,
+    stacked,
+)
 from kleinform.commands.rows import Answer, answer_rows
 from kleinform.commands.streams import Streams
 from kleinform.manipulator import UncoupledManipulator
@@ -63,5 +73,6 @@ def azimuth_of(azimuth: float | None, degrees: bool) -> float | None:
 
 def rotation_of(rpy: options.Three, degrees: bool) -> Array:
     """The rotation (3, 3) that an option gives."""
-    roll, pitch, yaw = np.radians(rpy) if degrees else rpy
-    return rotation_from_rpy(roll=roll, pitch=pitch, yaw=yaw)
+    given = dict(zip(ANGLES, map(np.array, rpy), strict=True))
+    angles = in_radians(given, degrees)
+    return rotation_from_rpy(roll=angles["roll"], pitch=angles["pitch"], yaw=angles["yaw"])

@@ -78,7 +78,11 @@ AnswerFormat = Annotated[
 ]
 Degrees = Annotated[
     bool,
-    typer.Option("--degrees", help="All angles in degrees, angular rates per second, in and out."),
+    typer.Option(
+        "--degrees",
+        help="All angles in degrees, angular rates per second, in and out; without, in radians, "
+        "and none but q4 beyond a full turn.",
+    ),
 ]
 Errors = Annotated[
     OnErrors,

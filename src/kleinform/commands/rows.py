@@ -80,6 +80,6 @@ def named_row(error: KleinformError, block: Block) -> KleinformError:
 
 def _answer(block: Block, compute: Callable[[Table], Answer], degrees: bool) -> Answer:
     try:
-        return compute(in_radians(block.table) if degrees else block.table)
+        return compute(in_radians(block.table, degrees))
     except KleinformError as error:
         raise named_row(error, block) from None

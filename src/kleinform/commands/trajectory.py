@@ -113,8 +113,8 @@ def _of_block(
     robot: UncoupledManipulator, block: Block, start: Array | None, mode: int | None, degrees: bool
 ) -> Table:
     """The platform along a motion that was read."""
-    motion = in_radians(block.table) if degrees else block.table
     try:
+        motion = in_radians(block.table, degrees)
         times = increasing_times(motion["t"], 1)
         if RATES[0] not in motion:
             return _poses(times, *robot.track(stacked(motion, JOINTS), start, mode=mode))

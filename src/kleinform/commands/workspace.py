@@ -4,18 +4,22 @@ from __future__ import annotations
 
 import sys
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated
 
 import numpy as np
 import typer
 
 from kleinform.commands import options
+from kleinform.commands.columns import unit
 from kleinform.commands.inverse import rotation_of
 from kleinform.commands.meshes import MeshFile, Resolution, check_mesh_file, write_mesh
 from kleinform.commands.progress import spinner
 from kleinform.commands.streams import Streams
-from kleinform.limits import Limits
+from kleinform.limits import ANGLES, Limits
 from kleinform.manipulator import UncoupledManipulator
+
+if TYPE_CHECKING:
+    from kleinform.maps import Workspace
 
 __all__ = ["workspace"]
 
@@ -24,7 +28,8 @@ LimitsFile = Annotated[
     typer.Option(
         "--limits",
         metavar="FILE",
-        help="A .toml with the table [ranges], in m and rad; without, Limits.typical(radius).",
+        help='A .toml with the table [ranges], in m and rad, or unit = "deg" above it; '
+        "without, Limits.typical(radius).",
     ),
 ]
 Tolerance = Annotated[
@@ -45,7 +50,8 @@ def workspace(
     """The positions that keep every limit at one orientation.
 
     Needs the extra kleinform[certify]. The exit code is 1 if the error is proven, but larger
-    than --tolerance asks for.
+    than --tolerance asks for. That there are no positions is an answer: standard error then has
+    the limits that exclude each other.
 
     Columns out: volume, volume_error [m³] (the proven bound of the error), components (pieces
     that a grid of 64 lines along the longer side finds).
@@ -74,6 +80,26 @@ def workspace(
     }
     with Streams(None, None, format, degrees).writer(one_answer=True) as write:
         write({name: np.array([number]) for name, number in numbers.items()})
+    if components == 0:
+        print(f"kleinform: {_why_empty(space, degrees)}", file=sys.stderr)
     if not volume.proven:
         print("kleinform: the error is larger than --tolerance asks for", file=sys.stderr)
         raise typer.Exit(1)
+
+
+def _why_empty(space: Workspace, degrees: bool) -> str:
+    """The limits that exclude each other, in words."""
+    conflict = space.conflict()
+    if not conflict:
+        return "no position was found that keeps every limit"
+    words = [_in_words(end, space.limits, degrees) for end in conflict]
+    return f"the workspace is empty: at this orientation {', '.join(words)} exclude each other"
+
+
+def _in_words(which: str, limits: Limits, degrees: bool) -> str:
+    """An end of a range such as "q1 low", with its value and unit."""
+    name, end = which.split()
+    value = limits.range_of(name)[end == "high"]
+    sign = ">=" if end == "low" else "<="
+    turned = np.degrees(value) if degrees and name in ANGLES else value
+    return f"{name} {sign} {turned:g} {unit(name, degrees)}"

@@ -3,6 +3,7 @@
 `kleinform.maps.joining` (extra ``maps``) joins assembly modes.
 """
 
+from kleinform.lazy import submodules
 from kleinform.maps.components import Components
 from kleinform.maps.loci import (
     DirectLocus,
@@ -39,3 +40,5 @@ __all__ = [
     "orientation_locus",
     "workspace_map",
 ]
+
+__getattr__ = submodules(__name__, ("joining",))

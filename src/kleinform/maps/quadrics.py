@@ -128,7 +128,8 @@ def constraints_of(
     """Every finite end of every range.
 
     A range of q4 is one modulo 2π, and no limit where it is at least 2π long. An end of q5
-    beyond ±π/2 is no limit, and a range that no position has is a form that is negative.
+    beyond ±π/2 is no limit, and one that leaves only the Z axis is a form that is negative off
+    it.
     """
     limbs = limbs_of(radius, rotation, make)
     found: list[Constraint] = []
@@ -149,7 +150,7 @@ def slabs_of(
     for limb in limbs_of(radius, rotation, make):
         high = limits.range_of(f"q{limb.index + 1}")[1]
         if high < inf:
-            slabs += [Slab(row[:3], row[3], max(high, 0.0)) for row in (limb.y, limb.w)]
+            slabs += [Slab(row[:3], row[3], high) for row in (limb.y, limb.w)]
         low, high = limits.range_of(f"e{limb.index + 1}")
         if -inf < low and high < inf:
             middle, half = (
@@ -159,7 +160,7 @@ def slabs_of(
             slabs.append(Slab(limb.e[:3], limb.e[3] - middle, half))
     high = limits.range_of("q6")[1]
     if high < inf:
-        slabs += [Slab(row, 0.0, max(high, 0.0)) for row in np.eye(3)]
+        slabs += [Slab(row, 0.0, high) for row in np.eye(3)]
     return slabs
 
 
@@ -218,10 +219,10 @@ def _length(ends: tuple[float, float], make: Callable[[float], Any]) -> list[Con
 
 
 def _lengths(ends: tuple[float, float]) -> list[tuple[str, float]]:
-    """The ends that limit a length; a negative high leaves no position, like a radius of 0."""
+    """The ends that limit a length."""
     low, high = ends
     found = [("low", low)] if low > 0.0 else []
-    return [*found, ("high", max(high, 0.0))] if high < inf else found
+    return [*found, ("high", high)] if high < inf else found
 
 
 def _elevation(ends: tuple[float, float], make: Callable[[float], Any]) -> list[Constraint]:

@@ -13,6 +13,7 @@ from kleinform.errors import InputError, SingularPoseError
 from kleinform.limits import Limits
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.maps.components import Components, components_of
+from kleinform.maps.emptiness import excluding
 from kleinform.maps.lines import inside
 from kleinform.maps.mesh import Mesh, mesh_of
 from kleinform.maps.patches import extent
@@ -89,6 +90,27 @@ class Workspace:
     def contains(self, positions: ArrayLike) -> Mask:
         """Which positions (..., 3) keep every limit, as a mask (...)."""
         return inside(self.constraints, real_array("positions", positions, (3,)))
+
+    def conflict(self) -> tuple[str, ...]:
+        """Why there is no position: limits that exclude each other, such as ``"q1 low"``.
+
+        Named as by `Limits.room`. None of them can be left out: without it there would be
+        positions, or the rest would not bound the workspace, or miss a position by so little
+        that it is not sure. Ends of q4 go together.
+
+        Returns
+        -------
+        tuple of str
+            Empty where there are positions, or where it is not sure that there are none, as
+            where surfaces touch.
+
+        Raises
+        ------
+        InputError
+            As `box`.
+        """
+        inner = self._in_units
+        return excluding(inner.radius, inner.rotation, inner.limits)
 
     def section(self, z: float) -> Section:
         """The section by the plane at height z [m]: closed loops of arcs of conics.
@@ -177,7 +199,8 @@ def constant_orientation_workspace(
     rotation : array_like (3, 3), or anything with ``as_matrix()``
         Rotation of the platform.
     limits : Limits
-        Ranges of joints and extensions, no margins. A range of q4 is one modulo 2π.
+        Ranges of joints and extensions, no margins: `UncoupledManipulator.watch` alone takes
+        those. A range of q4 is one modulo 2π.
 
     Returns
     -------
@@ -197,7 +220,8 @@ def constant_orientation_workspace(
         raise InputError(f"limits: Limits are needed, {limits!r} arrived")
     if limits.margins:
         raise InputError(
-            f"limits: margins are not bounded by quadrics, {', '.join(limits.margins)} arrived"
+            f"limits: margins are not bounded by quadrics, {', '.join(limits.margins)} arrived: "
+            "a workspace takes ranges alone, robot.watch takes margins too"
         )
     turned = one_rotation("rotation", rotation)
     angles = 2.0 * np.pi / 3.0 * np.arange(3)
