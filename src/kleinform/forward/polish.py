@@ -16,6 +16,7 @@ from numpy.typing import NDArray
 
 from kleinform.forward.circle import Circles, Rows, Vectors, turned
 from kleinform.generated import kernels
+from kleinform.sums import dot, turned_by
 
 __all__ = [
     "Folds",
@@ -64,7 +65,7 @@ def starts(rows: Rows, circles: Circles, row: Integers, psi: Array) -> tuple[Arr
         circles.reference(row, rows.radius, angle),
     )
     # Both rows of the adjugate are along (x³, x²y, xy², y³); the longer one has it best.
-    squares = np.einsum("kij,kij->ki", turn.powers, turn.powers)
+    squares = dot(turn.powers, turn.powers)
     first = (squares[:, 0] >= squares[:, 1])[:, np.newaxis]
     powers = np.where(first, turn.powers[:, 0], turn.powers[:, 1])
     half = np.where(first, powers[:, :2], powers[:, 2:])
@@ -123,12 +124,17 @@ def polished(
     rows: Rows, row: Integers, directions: Array, allowed: Array | float
 ) -> tuple[Array, Mask]:
     """Newton's method to the end, and where its last step is within what is allowed."""
-    radius, position, lengths = rows.radius[row], rows.position[row], rows.lengths[row]
+    directions, size = directions.copy(), np.full(len(row), np.inf)
+    active = np.arange(len(row))
     for _ in range(STEPS):
-        step = kernels.newton_step(radius, position, lengths, directions)
-        directions = step.next
-        size: Array = np.max(abs(step.turn), axis=1, initial=0.0)
-        if (size <= SETTLED).all():
+        own = row[active]
+        step = kernels.newton_step(
+            rows.radius[own], rows.position[own], rows.lengths[own], directions[active]
+        )
+        directions[active] = step.next
+        size[active] = np.max(abs(step.turn), axis=1, initial=0.0)
+        active = active[~(size[active] <= SETTLED)]
+        if not len(active):
             break
     return directions, size <= allowed
 
@@ -192,10 +198,10 @@ def _judged(local: kernels.Fold, directions: Array, step: Array, tolerance: floa
     y, free = left[:, :, 2], right[:, 2]
     sign = np.sign(np.linalg.det(left) * np.linalg.det(right))
     with np.errstate(divide="ignore", invalid="ignore"):
-        bend = np.einsum("ki,ki->k", local.volume_gradient, free) * sign
+        bend = dot(local.volume_gradient, free) * sign
         bend /= singular[:, 0] * singular[:, 1]
-        height = np.einsum("ki,ki->k", y, local.residual)
-        moved = np.einsum("ki,kij->kj", y, local.by_joints)
+        height = dot(y, local.residual)
+        moved = turned_by(local.by_joints.swapaxes(1, 2), y)
         scale = abs(moved).sum(axis=1)
         reach = np.sqrt(-2.0 * height / bend)
         lost = ~finite | ~(np.linalg.norm(step[:, :3], axis=1) <= 1e-9)
@@ -227,6 +233,6 @@ def turn_by(directions: Array, turn: Array) -> Array:
     """Directions (K, 2, 3) turned by Cayley's rotation of some small rotation vectors."""
     half = 0.5 * turn[:, np.newaxis]
     inner = directions + np.cross(half, directions)
-    factor = 2.0 / (1.0 + np.einsum("kij,kij->ki", half, half))
+    factor = 2.0 / (1.0 + dot(half, half))
     moved: Array = directions + factor[:, :, np.newaxis] * np.cross(half, inner)
     return moved
