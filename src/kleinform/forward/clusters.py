@@ -274,4 +274,14 @@ def _couple(row: Rows, pairs: Complex) -> Modes | None:
     first, second = (_single(row, pair) for pair in pairs)
     if first is None or second is None:
         return None
-    return first[0] + second[0], first[1] + second[1]
+    modes = first[0] + second[0]
+    return (modes, [1] * len(modes)) if len(modes) < 2 or _are_two(row, modes) else None
+
+
+def _are_two(row: Rows, modes: list[Array]) -> bool:
+    """Whether rounding moves each of two modes by less than half of what they are apart."""
+    local = kernels.fold(row.radius[0], row.joints[0], np.array(modes))
+    moved = ROUNDING * EPS * np.linalg.norm(abs(local.by_joints).sum(axis=2), axis=1)
+    least = np.linalg.svd(local.gradient, compute_uv=False)[:, 2]
+    half = 0.5 * abs(modes[0] - modes[1]).max()
+    return bool((moved < least * half).all())
