@@ -55,7 +55,7 @@ def isolate(coefficients: Array, rounding: Array) -> Zeros:
     ``rounding`` (N,) bounds the errors of the values.
     """
     degree = coefficients.shape[1] // 2
-    # Not by BLAS, which sums in an order that depends on the number of polynomials.
+    # One row of the table after the other for any number of polynomials, unlike by BLAS.
     local = np.einsum("nk,kc->nc", coefficients, _cells(degree)).reshape(-1, LOCAL + 1)
     width = 2.0 * float(np.pi) / CELLS
     changes, doubtful = _judge(local, np.repeat(rounding, CELLS))
