@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.generated import kernels
+from kleinform.sums import product
 
 __all__ = ["polish"]
 
@@ -87,7 +88,7 @@ def _turn(
         asked[:, :3] = (lengths[rows] ** 2 - now**2) / (2.0 * now)
         twist = kernels.forward_velocity(radius, place, rotation, place[:, :2], asked).twist
         turns = _cayley(twist[:, :3])
-        rotations[rows] = turns @ rotation
+        rotations[rows] = product(turns, rotation)
         angle: Array = np.linalg.norm(twist[:, :3], axis=1)
     return angle
 

@@ -20,6 +20,7 @@ from kleinform.screening import (
     reject_bad_rotations,
     rotation_array,
 )
+from kleinform.sums import dot
 
 __all__ = ["RollPitchYaw", "rotation_from_directions", "rotation_from_rpy", "rpy_from_rotation"]
 
@@ -122,9 +123,9 @@ def rotation_from_directions(n1: ArrayLike, n2: ArrayLike, *, errors: Errors = "
     reject_bad_numbers(screen, "n1", first, 1)
     reject_bad_numbers(screen, "n2", second, 1)
     gaps = (
-        np.einsum("...i,...i", first, first) - 1.0,
-        np.einsum("...i,...i", second, second) - 1.0,
-        np.einsum("...i,...i", first, second) + 0.5,
+        dot(first, first) - 1.0,
+        dot(second, second) - 1.0,
+        dot(first, second) + 0.5,
     )
     worst = np.maximum(np.maximum(abs(gaps[0]), abs(gaps[1])), abs(gaps[2]))
     tolerance = allowed_defect(n1, n2)

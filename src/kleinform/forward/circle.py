@@ -156,8 +156,10 @@ def fourier(rows: Rows, circles: Circles) -> tuple[Array, Array]:
     )
     x2, y2 = np.cos(psi / 2.0) ** 2, np.sin(psi / 2.0) ** 2
     square = circles.stretch[:, np.newaxis] ** 2
-    weight = ((x2 + square * y2) * (x2 + y2 / square)) ** (DEGREE // 2)
-    values = sampled.eliminant * weight
+    # Its power DEGREE/2.
+    even = (x2 + square * y2) * (x2 + y2 / square)
+    fourth = (even * even) * (even * even)
+    values = sampled.eliminant * (fourth * fourth)
     with np.errstate(divide="ignore", invalid="ignore"):
         values /= abs(values).max(axis=1, keepdims=True)
     spectrum = np.fft.rfft(values, axis=1) / SAMPLES

@@ -12,6 +12,7 @@ from kleinform.forward.found import Found, found, together
 from kleinform.forward.pencil import PAIRS, pairs_of
 from kleinform.forward.polish import CONVERGED, polished, turn_by
 from kleinform.generated import kernels
+from kleinform.sums import dot, product, turned_by
 
 __all__ = ["by_pencil", "candidates", "mirrored"]
 
@@ -78,17 +79,11 @@ def polished_pairs(rows: Rows, directions: Complex, steps: int) -> tuple[Complex
         for _ in range(steps):
             first, second = directions[..., 0, :], directions[..., 1, :]
             all_three = (first, second, -first - second)
-            slopes = [
-                np.einsum("...ij,...j->...i", cone, n)
-                for cone, n in zip(cones, all_three, strict=True)
-            ]
+            slopes = [turned_by(cone, n) for cone, n in zip(cones, all_three, strict=True)]
             g = [2.0 * np.cross(n, slope) for n, slope in zip(all_three, slopes, strict=True)]
-            f = [
-                np.einsum("...i,...i->...", n, slope)[..., np.newaxis]
-                for n, slope in zip(all_three, slopes, strict=True)
-            ]
+            f = [dot(n, slope)[..., np.newaxis] for n, slope in zip(all_three, slopes, strict=True)]
             sides = [np.cross(g[1], g[2]), np.cross(g[2], g[0]), np.cross(g[0], g[1])]
-            volume = np.einsum("...i,...i->...", g[0], sides[0])[..., np.newaxis]
+            volume = dot(g[0], sides[0])[..., np.newaxis]
             turn = -sum(entry * side for entry, side in zip(f, sides, strict=True)) / volume
             step = np.cross(turn[..., np.newaxis, :], directions)
             size = np.max(abs(turn), axis=-1)
@@ -99,10 +94,10 @@ def polished_pairs(rows: Rows, directions: Complex, steps: int) -> tuple[Complex
 
 def _orthonormal(directions: Complex) -> Complex:
     """Unit directions 120° apart again, by Newton's step on their products."""
-    products = np.einsum("...ik,...jk->...ij", directions, directions)
+    products = product(directions, directions.swapaxes(-1, -2))
     gram = np.linalg.inv(np.array([[1.0, -0.5], [-0.5, 1.0]]))
     excess = products - np.array([[1.0, -0.5], [-0.5, 1.0]])
-    correction = np.einsum("...ij,jk,...kl->...il", excess, gram, directions)
+    correction = product(product(excess, gram), directions)
     return np.asarray(directions - 0.5 * correction)
 
 

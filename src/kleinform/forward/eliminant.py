@@ -13,6 +13,7 @@ from kleinform.forward.isolate import Zeros, isolate
 from kleinform.forward.polish import on_leg, relabelled_back, starts
 from kleinform.generated import kernels
 from kleinform.joints import TOLERANCE
+from kleinform.sums import dot
 
 __all__ = ["by_eliminant"]
 
@@ -130,7 +131,7 @@ def _clusters(
     lost |= near.apart & ~(near.reach <= FARTHEST)
     # Cells side by side may lead to the same fold.
     again = np.zeros(len(row), dtype=bool)
-    gap = np.linalg.norm(near.directions[1:] - near.directions[:-1], axis=(1, 2))
+    gap = _size(near.directions[1:] - near.directions[:-1])
     again[1:] = (row[1:] == row[:-1]) & (gap <= SAME_FOLD) & ~lost[1:] & ~lost[:-1]
     apart, merged = near.apart & ~lost & ~again, near.merged & ~lost & ~again
     both, sure = split(rows, row, near, apart)
@@ -143,20 +144,24 @@ def _consistent(modes: Found, count: int) -> Mask:
     """Rows with an even number of modes, no two of them the same."""
     number = np.bincount(modes.row, weights=modes.multiplicity, minlength=count)
     good: Mask = number % 2 == 0
-    order = np.lexsort(((modes.directions[:, 0] @ SORTER) ** 2, modes.row))
-    row, directions, extension = (
-        entry[order] for entry in (modes.row, modes.directions, modes.extension)
-    )
+    order = np.lexsort((dot(modes.directions[:, 0], SORTER) ** 2, modes.row))
+    row, directions, extension = modes.row[order], modes.directions[order], modes.extension[order]
     for shift in (1, 2):
         gap = np.minimum(
-            np.linalg.norm(directions[shift:] - directions[:-shift], axis=(1, 2)),
-            np.linalg.norm(directions[shift:] + directions[:-shift], axis=(1, 2)),
+            _size(directions[shift:] - directions[:-shift]),
+            _size(directions[shift:] + directions[:-shift]),
         )
         same = (row[shift:] == row[:-shift]) & (gap <= SAME_MODE)
         # With C in the plane of the base leg two modes share their directions, not their e.
         other = abs(abs(extension[shift:]) - abs(extension[:-shift])) > SAME_MODE
         good[row[shift:][same & ~other.any(axis=1)]] = False
     return good
+
+
+def _size(pairs: Array) -> Array:
+    """The length of n_1 and n_2 (K, 2, 3) as one vector each."""
+    flat = pairs.reshape(-1, 6)
+    return np.asarray(np.sqrt(dot(flat, flat)))
 
 
 def _turn(angle: Array) -> Array:

@@ -21,6 +21,7 @@ from kleinform.forward.cases import reach_of
 from kleinform.forward.circle import Rows
 from kleinform.forward.polish import polished, turn_by
 from kleinform.generated import kernels
+from kleinform.sums import dot, turned_by
 
 __all__ = ["Folds", "bend_of_equations", "folds", "rounding_of_equations", "split"]
 
@@ -190,19 +191,19 @@ def _judged(
         np.where(finite[:, np.newaxis, np.newaxis], gradient, 0.0)
     )
     y, free = left[:, :, 2], right[:, 2]
-    height = np.einsum("ki,ki->k", y, residual)
+    height = dot(y, residual)
     sign = np.sign(np.linalg.det(left) * np.linalg.det(right))
-    bend = np.einsum("ki,ki->k", local.volume_gradient, free) * sign
+    bend = dot(local.volume_gradient, free) * sign
     bend /= singular[:, 0] * singular[:, 1]
     lost = ~finite | ~(singular[:, 1] >= CORANK_ONE * singular[:, 0]) | ~(abs(bend) > 0.0)
 
-    aside = height / np.einsum("ki,ki->k", y, toward)
+    aside = height / dot(y, toward)
     others = np.linalg.norm(residual - toward * aside[:, np.newaxis], axis=1)
     turned = np.linalg.norm(rounding, axis=1) + SVD_ROUNDING * EPS
     away = 2.0 * others / singular[:, 1] + (singular[:, 2] + turned) / abs(bend)
     most = np.linalg.norm(bend_of_equations(rows) / norms, axis=1)
-    error = np.einsum("ki,ki->k", abs(y), rounding) + (most * away + turned) * away
-    allowed = tolerance * abs(np.einsum("ki,kij->kj", y, local.by_joints)).sum(axis=1)
+    error = dot(abs(y), rounding) + (most * away + turned) * away
+    allowed = tolerance * abs(turned_by(local.by_joints.swapaxes(1, 2), y)).sum(axis=1)
     merged = ~lost & (tolerance > 0.0) & (abs(height) + error <= allowed)
     hidden = ~lost & ~merged & ~(abs(height) > error)
     apart = ~lost & ~merged & ~hidden & (height * bend < 0.0)

@@ -26,6 +26,8 @@ Mask = NDArray[np.bool_]
 CELLS = 64
 #: Local polynomials are cut off here: what is left out of a degree of 16 is below 1e-15.
 LOCAL = 14
+#: Those of LOCAL, a row each.
+BINOMIALS = np.array([[float(comb(LOCAL, power))] for power in range(LOCAL + 1)])
 #: Where the first cell starts, in cells: zeros at multiples of 30° should not lie on edges.
 OFFSET = 0.37
 #: Cells are halved at most so often.
@@ -53,7 +55,8 @@ def isolate(coefficients: Array, rounding: Array) -> Zeros:
     ``rounding`` (N,) bounds the errors of the values.
     """
     degree = coefficients.shape[1] // 2
-    local = (coefficients @ _cells(degree)).reshape(-1, LOCAL + 1)
+    # One row of the table after the other for any number of polynomials, unlike by BLAS.
+    local = np.einsum("nk,kc->nc", coefficients, _cells(degree)).reshape(-1, LOCAL + 1)
     width = 2.0 * float(np.pi) / CELLS
     changes, doubtful = _judge(local, np.repeat(rounding, CELLS))
     index = np.flatnonzero((changes > 0) | doubtful)
@@ -103,13 +106,13 @@ def _crossing(local: Array) -> Array:
     take = np.arange(len(local))
     before, after = local[take, first], local[take, first + 1]
     place = (first + before / (before - after)) / LOCAL
-    powers = local @ _powers()
+    powers = _powers(local)
     for _ in range(REFINEMENTS):
         value = np.zeros(len(local))
         slope = np.zeros(len(local))
         for power in range(LOCAL, -1, -1):
             slope = slope * place + value
-            value = value * place + powers[:, power]
+            value = value * place + powers[power]
         above = (value > 0.0) == rising
         high, low = np.where(above, place, high), np.where(above, low, place)
         with np.errstate(divide="ignore", invalid="ignore"):
@@ -166,11 +169,11 @@ def _bernstein() -> Array:
     return np.array(rows)
 
 
-@cache
-def _powers() -> Array:
-    """From Bernstein coefficients on [0, 1] to coefficients of powers."""
-    table = np.zeros((LOCAL + 1, LOCAL + 1))
-    for i in range(LOCAL + 1):
-        for power in range(i, LOCAL + 1):
-            table[i, power] = comb(LOCAL, i) * comb(LOCAL - i, power - i) * (-1) ** (power - i)
-    return table
+def _powers(local: Array) -> Array:
+    """Coefficients of powers (LOCAL + 1, K) from Bernstein's on [0, 1]: differences."""
+    powers: Array = local.T.copy()
+    for order in range(1, LOCAL + 1):
+        for power in range(LOCAL, order - 1, -1):
+            powers[power] -= powers[power - 1]
+    powers *= BINOMIALS
+    return powers

@@ -15,6 +15,7 @@ from numpy.typing import NDArray
 from kleinform.forward.circle import Rows, relabel, turned
 from kleinform.forward.polish import unlabelled
 from kleinform.generated import kernels
+from kleinform.sums import dot, turned_by
 
 __all__ = ["PAIRS", "STARTS", "Pairs", "pairs_of", "refined", "tables_of"]
 
@@ -79,9 +80,9 @@ def refined(tables: kernels.Circles, base: Integers, t: Complex, s: Complex, ste
         arms = np.stack(
             [_arms(table, half) for table, half in ((tables.first, t), (tables.second, s))], axis=2
         )
-        extension = np.sqrt(np.einsum("npix,npix->npi", arms, arms)).astype(np.complex128)
+        extension = np.sqrt(dot(arms, arms)).astype(np.complex128)
         # The sign that makes n_1·n_2 = −1/2.
-        facing = np.einsum("npx,npx->np", arms[:, :, 0], arms[:, :, 1]) / extension.prod(axis=2)
+        facing = dot(arms[:, :, 0], arms[:, :, 1]) / extension.prod(axis=2)
         extension[:, :, 1] *= np.where(facing.real < 0.0, 1.0, -1.0)
         relabelled = arms / extension[..., np.newaxis]
         flat = turned(relabelled, base, back=True).reshape(-1, 2, 3)
@@ -107,12 +108,13 @@ def _eigenpairs(angle: Array, cone: Array) -> tuple[Complex, Complex]:
     companion[:, -size:] = -_solved(sylvester[:, DEGREE], blocks)
     known = np.asarray(np.isfinite(companion).all(axis=(1, 2), keepdims=True))
     values, vectors = np.linalg.eig(np.where(known, companion, 0.0))
-    values = np.where(known[:, 0], values, np.nan)
-    null = vectors[:, :size]
+    values = np.where(known[:, 0], values, np.nan).astype(np.complex128)
+    # NumPy gives real ones where those of all rows are.
+    null = vectors[:, :size].astype(np.complex128)
     low = abs(null[:, 0]) >= abs(null[:, -1])
     with np.errstate(divide="ignore", invalid="ignore"):
         s = np.where(low, null[:, 1] / null[:, 0], null[:, -1] / null[:, -2])
-    return values.astype(np.complex128), s.astype(np.complex128)
+    return values, np.asarray(s)
 
 
 def _solved(matrix: Array, side: Array) -> Array:
@@ -131,19 +133,17 @@ def _solved(matrix: Array, side: Array) -> Array:
 def _newton(tables: Array, t: Complex, s: Complex, steps: int) -> tuple[Complex, Complex, Array]:
     """Newton's method on the two equations, for all pairs of all rows."""
     powers = np.arange(DEGREE + 1)
+    both = tables[:, 0, np.newaxis], tables[:, 1, np.newaxis]
     with np.errstate(all="ignore"):
         for _ in range(steps):
             left, right = t[..., np.newaxis] ** powers, s[..., np.newaxis] ** powers
             left_slope = powers * np.concatenate([left[..., :1], left[..., :-1]], axis=-1)
             right_slope = powers * np.concatenate([right[..., :1], right[..., :-1]], axis=-1)
-            over = np.einsum("nekl,npl->nepk", tables, right)
-            (f, g), (ft, gt) = (
-                np.moveaxis(np.einsum("npk,nepk->nep", side, over), 1, 0)
-                for side in (left, left_slope)
+            (f, fs), (g, gs) = (
+                [dot(left, turned_by(table, side)) for side in (right, right_slope)]
+                for table in both
             )
-            fs, gs = np.moveaxis(
-                np.einsum("npk,nekl,npl->nep", left, tables, right_slope, optimize=True), 1, 0
-            )
+            ft, gt = (dot(left_slope, turned_by(table, right)) for table in both)
             determinant = ft * gs - fs * gt
             step_t, step_s = (f * gs - fs * g) / determinant, (ft * g - f * gt) / determinant
             t, s = t - step_t, s - step_s
@@ -154,5 +154,5 @@ def _newton(tables: Array, t: Complex, s: Complex, steps: int) -> tuple[Complex,
 def _arms(table: Array, half: Complex) -> Complex:
     """From C to B at half-angle tangents (N, 32)."""
     powers = half[..., np.newaxis] ** np.arange(3)
-    arms: Complex = np.einsum("npk,nkx->npx", powers, table) / (1.0 + half**2)[..., np.newaxis]
-    return arms
+    arms = turned_by(table.swapaxes(1, 2)[:, np.newaxis], powers)
+    return np.asarray(arms / (1.0 + half**2)[..., np.newaxis])

@@ -7,6 +7,7 @@ from numpy.typing import NDArray
 
 from kleinform.forward.circle import Circles, Rows, Vectors, turned
 from kleinform.generated import kernels
+from kleinform.sums import dot
 
 __all__ = [
     "on_leg",
@@ -44,7 +45,7 @@ def starts(rows: Rows, circles: Circles, row: Integers, psi: Array) -> tuple[Arr
         circles.reference(row, rows.radius, angle),
     )
     # Both rows of the adjugate are along (x³, x²y, xy², y³); the longer one has it best.
-    squares = np.einsum("kij,kij->ki", turn.powers, turn.powers)
+    squares = dot(turn.powers, turn.powers)
     first = (squares[:, 0] >= squares[:, 1])[:, np.newaxis]
     powers = np.where(first, turn.powers[:, 0], turn.powers[:, 1])
     half = np.where(first, powers[:, :2], powers[:, 2:])
@@ -103,12 +104,17 @@ def polished(
     rows: Rows, row: Integers, directions: Array, allowed: Array | float
 ) -> tuple[Array, Mask]:
     """Newton's method to the end, and where its last step is within what is allowed."""
-    radius, position, lengths = rows.radius[row], rows.position[row], rows.lengths[row]
+    directions, size = directions.copy(), np.full(len(row), np.inf)
+    active = np.arange(len(row))
     for _ in range(STEPS):
-        step = kernels.newton_step(radius, position, lengths, directions)
-        directions = step.next
-        size: Array = np.max(abs(step.turn), axis=1, initial=0.0)
-        if (size <= SETTLED).all():
+        own = row[active]
+        step = kernels.newton_step(
+            rows.radius[own], rows.position[own], rows.lengths[own], directions[active]
+        )
+        directions[active] = step.next
+        size[active] = np.max(abs(step.turn), axis=1, initial=0.0)
+        active = active[~(size[active] <= SETTLED)]
+        if not len(active):
             break
     return directions, size <= allowed
 
@@ -117,6 +123,6 @@ def turn_by(directions: Array, turn: Array) -> Array:
     """Directions (K, 2, 3) turned by Cayley's rotation of some small rotation vectors."""
     half = 0.5 * turn[:, np.newaxis]
     inner = directions + np.cross(half, directions)
-    factor = 2.0 / (1.0 + np.einsum("kij,kij->ki", half, half))
+    factor = 2.0 / (1.0 + dot(half, half))
     moved: Array = directions + factor[:, :, np.newaxis] * np.cross(half, inner)
     return moved

@@ -16,6 +16,7 @@ from kleinform.forward.found import Found, found, some, together
 from kleinform.forward.in_plane import by_circles
 from kleinform.forward.zero_legs import by_zero_leg
 from kleinform.generated import kernels
+from kleinform.sums import dot
 from kleinform_kernels._threads import in_parts
 
 if kernels.BACKEND == "compiled":
@@ -133,7 +134,7 @@ def unit_size(rows: Rows) -> tuple[Rows, Array]:
     """
     position = np.max(abs(rows.position), axis=1)
     size = np.maximum(rows.radius, np.maximum(position, np.max(rows.lengths, axis=1)))
-    scale: Array = np.exp2(-np.frexp(size)[1])
+    scale: Array = np.ldexp(1.0, -np.frexp(size)[1])
     joints = rows.joints.copy()
     joints[:, [0, 1, 2, 5]] *= scale[:, np.newaxis]
     position, lengths = (entry * scale[:, np.newaxis] for entry in (rows.position, rows.lengths))
@@ -186,7 +187,7 @@ def _complete(rows: Rows, modes: Found, status: Integers, tolerance: float) -> S
     turned = kernels.rotation_from_directions(three[:, 0], three[:, 1])
     rotation = np.ascontiguousarray(turned.rotation)
     points = position[:, np.newaxis] + extension[..., np.newaxis] * three
-    squares = np.einsum("kij,kij->ki", points, points)
+    squares = dot(points, points)
     terms = radius[:, np.newaxis] ** 2 + rows.lengths[row] ** 2
     # Where modes have merged the equations hold for joint values within the tolerance.
     allowed = RESIDUAL + MERGED_RESIDUAL * tolerance * (modes.multiplicity > 1)
@@ -209,14 +210,14 @@ def _fitted(rows: Rows, modes: Found, directions: Array) -> Array:
     row = modes.row
     from_foot = rows.position[:, np.newaxis] - rows.radius[:, np.newaxis, np.newaxis] * AXES
     from_foot = from_foot[row]
-    incidence = np.einsum("kij,ij->ki", directions, AXES)
+    incidence = dot(directions, AXES)
     with np.errstate(divide="ignore", invalid="ignore"):
-        by_plane = -np.einsum("kij,ij->ki", from_foot, AXES) / incidence
+        by_plane = -dot(from_foot, AXES) / incidence
         extension: Array = np.where(np.isnan(modes.extension), by_plane, modes.extension)
         leg = from_foot + extension[..., np.newaxis] * directions
-        length = np.sqrt(np.einsum("kij,kij->ki", leg, leg))
-        along = np.einsum("kij,kij->ki", leg, directions) / length
-        step = incidence * np.einsum("kij,ij->ki", leg, AXES)
+        length = np.sqrt(dot(leg, leg))
+        along = dot(leg, directions) / length
+        step = incidence * dot(leg, AXES)
         step += along * (length - rows.lengths[row])
         step /= incidence**2 + along**2
     return extension - np.where(length > 0.0, step, 0.0)

@@ -17,12 +17,19 @@ def room(constraints: list[Constraint], positions: Array) -> Array:
     """The least g over the constraints (...) at positions (..., 3); negative outside."""
     x, y, z = np.moveaxis(positions, -1, 0)
     monomials = (x * x, y * y, z * z, x * y, x * z, y * z, x, y, z, np.ones_like(x))
-    products = np.stack(monomials, axis=-1)
     least = np.full(x.shape, np.inf)
     for constraint in constraints:
-        values = products @ np.stack([_entries(form.matrix) for form in constraint.forms], axis=1)
-        least = np.minimum(least, values.max(axis=-1))
+        values = [_value(_entries(form.matrix), monomials) for form in constraint.forms]
+        least = np.minimum(least, np.max(values, axis=0))
     return least
+
+
+def _value(entries: Array, monomials: tuple[Array, ...]) -> Array:
+    """A quadric at points, the same bits for a point whatever others there are."""
+    total = entries[0] * monomials[0]
+    for entry, monomial in zip(entries[1:], monomials[1:], strict=True):
+        total = total + entry * monomial
+    return np.asarray(total)
 
 
 def _entries(g: Array) -> Array:

@@ -15,6 +15,7 @@ from kleinform.maps.checks import box, cells, one_radius, positions, rotations
 from kleinform.maps.zeros import Triangles, zero_mesh
 from kleinform.results import Array
 from kleinform.screening import RotationLike, real_array
+from kleinform.sums import product
 
 __all__ = ["OrientationLocus", "orientation_locus"]
 
@@ -67,7 +68,9 @@ class OrientationLocus:
         # A change of g turns the platform by 2 (dg + g × dg) / (1 + |g|²).
         turned = 2.0 * (result.by_turn + np.cross(result.by_turn, g))
         radial = 12.0 * result.value[..., np.newaxis] * g
-        return (square**6 * result.value)[()], square[..., np.newaxis] ** 5 * (turned + radial)
+        fourth = square * square * square * square
+        fifth = (fourth * square)[..., np.newaxis]
+        return (fourth * square * square * result.value)[()], fifth * (turned + radial)
 
     def mesh(self, bounds: ArrayLike, resolution: int) -> Triangles:
         """The surface in a box of Rodrigues's parameters, its vertices on it to rounding.
@@ -137,5 +140,7 @@ def _from_rodrigues(g: Array) -> Array:
     skew[..., [2, 0, 1], [1, 2, 0]] = g
     skew = skew - np.swapaxes(skew, -1, -2)
     square = 1.0 + (g * g).sum(axis=-1)
-    found: Array = np.eye(3) + (2.0 / square)[..., np.newaxis, np.newaxis] * (skew + skew @ skew)
+    found: Array = np.eye(3) + (2.0 / square)[..., np.newaxis, np.newaxis] * (
+        skew + product(skew, skew)
+    )
     return found

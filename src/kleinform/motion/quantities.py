@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 from kleinform.limits import Limits
 from kleinform.motion.paths import Poses
 from kleinform.results import EPS, Survey
+from kleinform.sums import dot, turned_by
 
 if TYPE_CHECKING:
     from kleinform.manipulator import UncoupledManipulator
@@ -60,8 +61,9 @@ def quantities(robot: UncoupledManipulator, poses: Poses, limits: Limits) -> dic
     small = robot.rounding * EPS
     size = np.linalg.norm(poses.positions, axis=1)
     reach = robot.radius + size
-    incidence = np.einsum("tij,kj,ki->kt", poses.rotations[:, :2, :2], DIRECTIONS, DIRECTIONS)
-    span = robot.radius - DIRECTIONS @ poses.positions[:, :2].T  # a − c·u_i
+    axes = DIRECTIONS[:, np.newaxis]
+    incidence = dot(axes, turned_by(poses.rotations[:, :2, :2], axes))
+    span = robot.radius - dot(axes, poses.positions[:, :2])  # a − c·u_i
     found = {}
     for i in range(3):
         found[f"limb_{i + 1}"] = Quantity(incidence[i], small + 0.0 * size)

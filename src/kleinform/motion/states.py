@@ -9,6 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import NotFiniteError
 from kleinform.screening import real_array
+from kleinform.sums import turned_by
 
 __all__ = ["JointStates", "PlatformStates", "PointStates"]
 
@@ -89,7 +90,7 @@ class PlatformStates(NamedTuple):
         arm = real_array("offset", offset, (3,))
         if not np.isfinite(arm).all():
             raise NotFiniteError(f"offset: NaN or inf, {arm} arrived")
-        turned = self.rotations @ arm
+        turned = turned_by(self.rotations, arm)
         omega, velocity = self.twists[:, :3], self.twists[:, 3:]
         angular, linear = self.twist_rates[:, :3], self.twist_rates[:, 3:]
         moved = np.cross(omega, turned)
