@@ -15,6 +15,7 @@ from kleinform.errors import (
     NotARotationError,
     NotFiniteError,
     ShapeError,
+    SingularityWarning,
     SingularPoseError,
     TrackingError,
 )
@@ -53,6 +54,7 @@ __all__ = [
     "ShapeError",
     "SingularPoseError",
     "Singularity",
+    "SingularityWarning",
     "Survey",
     "TrackingError",
     "UncoupledManipulator",

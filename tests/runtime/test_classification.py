@@ -20,7 +20,7 @@ import kleinform
 from kleinform import InputError, UncoupledManipulator, rotation_from_rpy
 from kleinform.classification import Classes, PoseClass
 from kleinform.codes import BLOCK, by_numpy
-from kleinform.results import EPS
+from kleinform.zero import EPS
 from tests.runtime.poses import POLARITY, limb_of
 from tests.support import (
     BASE_AXES,

@@ -648,7 +648,8 @@ KLEINFORM_API void kleinform_direct_singularity(
    out central_scale: scale of central [m²]
    out wrist_scale: scale of wrist [1]
    out extension_scale[3]: scales of the e_i [m]
-   out orientation_scale: scale of orientation [m³] */
+   out orientation_scale: scale of orientation [m³]
+   out incidence[3]: n_i·u_i [1] */
 KLEINFORM_API void kleinform_survey(
     double a,
     const double c[3],
@@ -665,7 +666,8 @@ KLEINFORM_API void kleinform_survey(
     double *central_scale,
     double *wrist_scale,
     double extension_scale[3],
-    double *orientation_scale);
+    double *orientation_scale,
+    double incidence[3]);
 
 /* The cubic in c on which `orientation` vanishes, at one orientation of the platform: √3/2 times its value is (p_1 p_2 p_3)² orientation.
    Equations (27) of the paper; base frame.
