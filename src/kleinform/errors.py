@@ -73,16 +73,21 @@ class SingularityWarning(UserWarning):
 
     Attributes
     ----------
-    mask : bool array (...)
+    mask : bool array (...) or None
         The poses of the call near a singularity.
     ratios : dict of name to float
         The smallest |f|/scale of each factor that is so small at one of them.
     """
 
-    def __init__(self, message: str, mask: NDArray[np.bool_], ratios: dict[str, float]) -> None:
+    def __init__(
+        self,
+        message: str,
+        mask: NDArray[np.bool_] | None = None,
+        ratios: dict[str, float] | None = None,
+    ) -> None:
         super().__init__(message)
         self.mask = mask
-        self.ratios = ratios
+        self.ratios = ratios or {}
 
 
 class TrackingError(KleinformError):

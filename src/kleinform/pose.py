@@ -115,7 +115,7 @@ class Pose:
         for value, scale in checks:
             if not none_zero(value, scale, most):
                 found.append(self._within(value, scale, most))
-        close = np.any(found, axis=0) if found else None
+        close = np.asarray(np.any(found, axis=0)) if found else None
         if close is not None and close.any():
             self._look(close, names)
 
@@ -125,8 +125,7 @@ class Pose:
             return within(value, scale, most)
         sizes = np.asarray(scale)
         shaped = sizes if sizes.ndim in (0, value.ndim) else sizes[..., np.newaxis]
-        found: Mask = within(value, shaped, most).any(axis=-1)
-        return found
+        return np.asarray(within(value, shaped, most).any(axis=-1))
 
     def _look(self, close: Mask, names: tuple[str, ...]) -> None:
         """Judge some poses (...) by their survey."""

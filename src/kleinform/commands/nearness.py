@@ -38,8 +38,9 @@ class Nearness:
                 warnings.warn_explicit(entry.message, entry.category, entry.filename, entry.lineno)
 
     def _add(self, warning: SingularityWarning, block: Block) -> None:
-        self._place = self._place or block.where(int(np.argmax(warning.mask)))
-        self._count += int(warning.mask.sum())
+        mask = np.asarray(warning.mask)
+        self._place = self._place or block.where(int(np.argmax(mask)))
+        self._count += int(mask.sum())
         for name, ratio in warning.ratios.items():
             self._ratios[name] = min(ratio, self._ratios.get(name, ratio))
 
