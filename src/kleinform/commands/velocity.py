@@ -64,8 +64,8 @@ def velocity(
       kleinform velocity --position 0.25 0.2 1.0 --rpy 10 3 6 --degrees \\
           --twist 0 0 5 0.2 0 0
       kleinform velocity --input twists.csv --degrees --output rates.csv
-      kleinform velocity --position 1e-9 0 1 --rpy 10 3 6 --degrees \\
-          --twist 0 0 0 0 1 0 --conditioning
+      kleinform velocity --position 0.25 0.2 1.0 --rpy 10 3 6 --degrees \\
+          --rates 0 0 0 5 0 0 --conditioning
     """
     robot = UncoupledManipulator(radius)
     turn = azimuth_of(azimuth, degrees)
