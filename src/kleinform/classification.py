@@ -109,7 +109,7 @@ def classify(
         result, codes = found
         screen = Screen(codes.shape, errors)
         place, turn = np.asarray(position), np.asarray(rotation)
-        pose = Pose(robot.radius, robot.rounding, place, turn, None, screen, [])
+        pose = Pose(robot.radius, robot.rounding, place, turn, None, screen)
         return Classes(codes, Survey(result, robot.rounding, screen), pose)
     pose = check_pose(robot, position, rotation, errors)
     result, codes = survey_and_codes(pose)

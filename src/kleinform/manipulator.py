@@ -380,7 +380,8 @@ class UncoupledManipulator:
         result = kernels.joint_rates(
             pose.radius, pose.position, pose.rotation, pose.heading(), halves
         )
-        pose.reject_inverse(result, "wrist")
+        pose.reject_inverse(result)
+        pose.reject_wrist(result)
         in_a_row = result.rates.reshape((*result.rates.shape[:-2], 24))
         pose.reject_overflow(in_a_row)
         pose.blank(result.rates)

@@ -70,38 +70,47 @@ class Pose:
     rotation: Array
     azimuth: Array | None
     screen: Screen
-    near: list[Near]
+    near: list[Near] | None = None
 
     def reject_incidence(self, incidence: Array) -> None:
         """Refuse ``n_i·u_i = 0``: the line of B_i is parallel to the plane of its leg."""
-        self._judge(LIMBS, (incidence, 1.0))
+        if not none_zero(incidence, 1.0, guard(self.rounding)):
+            self._judge(LIMBS, (incidence, 1.0))
 
     def reject_legs(self, result: Any) -> None:
         """Refuse ``n_i·u_i = 0`` and ``q_i = 0``."""
-        self._judge(LIMBS + LEGS, (result.incidence, 1.0), (result.scaled_legs, result.reach))
+        most = guard(self.rounding)
+        legs_are_far = none_zero(result.scaled_legs, result.reach, most)
+        if not (legs_are_far and none_zero(result.incidence, 1.0, most)):
+            self._judge(LIMBS + LEGS, *_of_legs(result))
 
-    def reject_inverse(self, result: Any, *others: str) -> None:
-        """Refuse what leaves the joint rates without an answer: the wrist factor cancels.
+    def reject_inverse(self, result: Any) -> None:
+        """Refuse what leaves the joint rates without an answer: the wrist factor cancels."""
+        self.reject_legs(result)
+        radial, length = result.radial, result.central_length
+        if not none_zero(radial, length, guard(self.rounding)):
+            self._judge(("central",), (radial, length))
 
-        ``others`` are factors of one value a pose that are divided by too.
-        """
-        self._judge(
-            (*LIMBS, *LEGS, "central", *others),
-            (result.incidence, 1.0),
-            (result.scaled_legs, result.reach),
-            (result.radial, result.central_length),
-            *((getattr(result, name), getattr(result, f"{name}_scale")) for name in others),
-        )
+    def reject_wrist(self, result: Any) -> None:
+        """Refuse ``(n_1 × n_2)·λ = 0``: the wrist screws span no rotation."""
+        if not none_zero(result.wrist, result.wrist_scale, guard(self.rounding)):
+            self._judge(("wrist",), (result.wrist, result.wrist_scale))
 
     def reject_direct(self, result: Any) -> None:
         """Refuse what leaves the twist without an answer: the wrist factor cancels."""
-        self._judge(
-            (*LIMBS, *LEGS, *EXTENSIONS, "orientation"),
-            (result.incidence, 1.0),
-            (result.scaled_legs, result.reach),
-            (result.extension, result.extension_scale),
-            (result.orientation, result.orientation_scale),
-        )
+        most = guard(self.rounding)
+        if not (
+            none_zero(result.incidence, 1.0, most)
+            and none_zero(result.scaled_legs, result.reach, most)
+            and none_zero(result.extension, result.extension_scale, most)
+            and none_zero(result.orientation, result.orientation_scale, most)
+        ):
+            self._judge(
+                (*LIMBS, *LEGS, *EXTENSIONS, "orientation"),
+                *_of_legs(result),
+                (result.extension, result.extension_scale),
+                (result.orientation, result.orientation_scale),
+            )
         self.reject_axis(result.radial, result.central_length)
 
     def _judge(self, names: tuple[str, ...], *checks: tuple[Array, Array | float]) -> None:
@@ -111,13 +120,11 @@ class Pose:
         the limbs, and their scales; for the others it is told by their survey.
         """
         most = guard(self.rounding)
-        found: list[Mask] = []
-        for value, scale in checks:
-            if not none_zero(value, scale, most):
-                found.append(self._within(value, scale, most))
-        close = np.asarray(np.any(found, axis=0)) if found else None
-        if close is not None and close.any():
-            self._look(close, names)
+        close = np.asarray(np.any([self._within(*check, most) for check in checks], axis=0))
+        if close.any():
+            found = self._factors(close)
+            for name in names:
+                self._settle(close, name, RULES[name], found[name])
 
     def _within(self, value: Array, scale: Array | float, most: float) -> Mask:
         """Where a value of a pose, or one of its limbs', is at most so many times its scale."""
@@ -126,12 +133,6 @@ class Pose:
         sizes = np.asarray(scale)
         shaped = sizes if sizes.ndim in (0, value.ndim) else sizes[..., np.newaxis]
         return np.asarray(within(value, shaped, most).any(axis=-1))
-
-    def _look(self, close: Mask, names: tuple[str, ...]) -> None:
-        """Judge some poses (...) by their survey."""
-        found = self._factors(close)
-        for name in names:
-            self._settle(close, name, RULES[name], found[name])
 
     def _factors(self, close: Mask) -> dict[str, Factor]:
         """All factors of some poses (...), one after the other."""
@@ -151,7 +152,10 @@ class Pose:
             self.screen.reject(rows, SingularPoseError, rule, value)
         near = (ratio <= NEAR) & ~zero
         if near.any():
-            self.near.append(Near(name, np.flatnonzero(close)[near], ratio[near]))
+            self._remember(Near(name, np.flatnonzero(close)[near], ratio[near]))
+
+    def _remember(self, near: Near) -> None:
+        self.near = [*(self.near or ()), near]
 
     def reject_overflow(self, result: Array) -> None:
         """Refuse what is singular no more, and still not finite: products of such numbers."""
@@ -178,11 +182,12 @@ class Pose:
             self.screen.reject(zero, SingularPoseError, AXIS, radial)
         near = (ratio <= NEAR) & ~zero
         if divided and near.any():
-            self.near.append(Near("central", np.flatnonzero(near), ratio[near]))
+            self._remember(Near("central", np.flatnonzero(near), ratio[near]))
 
     def blank(self, *results: Array) -> None:
         """Settle, or write NaN into the rows of results that were refused; warn of near ones."""
-        self.screen.blank(*results)
+        if self.screen.broken:
+            self.screen.blank(*results)
         if self.near:
             warn_near(self.near, self.screen.valid)
 
@@ -196,6 +201,11 @@ class Pose:
         with np.errstate(invalid="ignore"):  # an infinite azimuth is refused already
             given = np.stack([np.cos(self.azimuth), np.sin(self.azimuth)], axis=-1)
         return np.where(on_axis[..., np.newaxis], given, planar)
+
+
+def _of_legs(result: Any) -> tuple[tuple[Array, Array | float], ...]:
+    """What a kernel says of the outer legs, and its scales."""
+    return (result.incidence, 1.0), (result.scaled_legs, result.reach)
 
 
 def reject_underflow(screen: Screen, position: Array) -> None:
@@ -246,7 +256,7 @@ def check_pose(
             reject_bad_numbers(screen, name, array, 1)
     if screen.broken:
         screen.settle()
-    return Pose(robot.radius, robot.rounding, place, turn, angle, screen, [])
+    return Pose(robot.radius, robot.rounding, place, turn, angle, screen)
 
 
 def _lead(

@@ -7,6 +7,7 @@ told only that a pose is far from all that is singular.
 
 from __future__ import annotations
 
+from functools import cache
 from math import sqrt
 from typing import Any, NamedTuple
 
@@ -39,6 +40,7 @@ def threshold(rounding: float) -> float:
     return rounding * EPS
 
 
+@cache
 def guard(rounding: float) -> float:
     """Above which |f|/scale a factor is neither zero nor near it, whichever kernel computed it."""
     return max(2.0 * NEAR, 2.0 * threshold(rounding))
