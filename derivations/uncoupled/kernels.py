@@ -372,6 +372,7 @@ def singularity_kernels() -> list[Kernel]:
                 WRIST_SCALE,
                 EXTENSION_SCALE,
                 ORIENTATION_SCALE,
+                INCIDENCE,
             ),
         ),
     ]

@@ -216,6 +216,8 @@ LETTERS: dict[str, Letter | str] = {
     "sigma_shift#": Letter(r"\sigma", sub="c"),
     "tilt_shift": Letter(r"\Theta", sub="c"),
     "lever#": Letter("c", sup=r"\times"),  # u_i × c
+    "sigma_pair#": Letter(r"\sigma", sup=r"\prime\prime"),
+    "tilt_part#": r"\Theta",
     "tilt": r"\Theta",
     "reach": "L",
     "central": Letter("f", sub=r"\mathrm{central}"),

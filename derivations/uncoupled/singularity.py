@@ -76,10 +76,30 @@ def inverse_condition() -> list[Equation]:
     ]
 
 
+def tilt_parts() -> list[Equation]:
+    """The three terms of ``tilt``, product by product.
+
+    With a name for each product every kernel rounds them alike: what is zero for one of them is
+    zero for all, whatever else they share.
+    """
+    equations = []
+    for i in LIMBS:
+        j, k = i % 3 + 1, (i + 1) % 3 + 1
+        pair, part = scalar(f"sigma_pair{i}"), scalar(f"tilt_part{i}")
+        both = scalar(f"sigma{j}") * scalar(f"sigma{k}")
+        term = scalar(f"tau{i}") * pair
+        equations += [
+            Equation(pair, both, f"sigma of the limbs beside {i}", unit="m²"),
+            Equation(part, term, f"term {i} of tilt", "(27)", "m³"),
+        ]
+    return equations
+
+
 def factors() -> list[Equation]:
     """The factors of both determinants that can vanish."""
     (t1, t2, t3), (s1, s2, s3) = per_limb("tau"), per_limb("sigma")
     return [
+        *tilt_parts(),
         Equation(central, CENTRAL, "central limb: q6² cos q5", "(26)", "m²", computed_as=q6 * r),
         Equation(
             wrist,
@@ -94,6 +114,7 @@ def factors() -> list[Equation]:
             "the three lines S_i in the platform frame",
             "(27)",
             "m³",
+            computed_as=sum(per_limb("tilt_part")),
         ),
         Equation(
             orientation,

@@ -22,6 +22,7 @@ from kleinform.errors import (
     NotARotationError,
     NotFiniteError,
     ShapeError,
+    SingularityWarning,
     SingularPoseError,
     TrackingError,
 )
@@ -64,6 +65,7 @@ __all__ = [
     "ShapeError",
     "SingularPoseError",
     "Singularity",
+    "SingularityWarning",
     "Survey",
     "TrackingError",
     "UncoupledManipulator",

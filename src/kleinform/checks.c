@@ -91,14 +91,19 @@ static int none_zero(
     return rows_none_zero(numbers, rows, scales, step, width, factor);
 }
 
-/* Whether the value of this index is finite and zero within its rounding. */
-INLINE unsigned vanishes(struct factor of, size_t index, double factor)
+/* The rule of zero.py: whether a size is finite and zero within its rounding. */
+INLINE unsigned within(double size, double scale, double factor)
 {
-    const double size = fabs(of.values[index]);
-    return (size <= factor * of.scales[index]) & (size < INFINITY);
+    return (size <= factor * scale) & (size < INFINITY);
 }
 
-/* The same rules as those of codes.by_numpy. */
+/* Whether the value of this index is. */
+INLINE unsigned vanishes(struct factor of, size_t index, double factor)
+{
+    return within(fabs(of.values[index]), of.scales[index], factor);
+}
+
+/* The same rules as those of codes.by_numpy, to the bit. */
 static uint8_t class_of(const struct survey *survey, size_t pose, double factor)
 {
     const double *joints = survey->joints + 6 * pose;
@@ -106,11 +111,9 @@ static uint8_t class_of(const struct survey *survey, size_t pose, double factor)
     unsigned undirected = 0, parallel = 0, extended = 0;
     for (size_t i = 0; i < 3; ++i) {
         const size_t at = 3 * pose + i;
-        const double limb = survey->limb.values[at];
-        const unsigned line_parallel =
-            vanishes(survey->limb, at, factor) | (isnan(survey->extension.values[at]) != 0);
-        const double leg = joints[i] * fabs(limb);
-        undirected |= (leg <= factor * reach * survey->limb.scales[at]) | (isnan(limb) != 0);
+        const double incidence = fabs(survey->incidence[at]);
+        const unsigned line_parallel = within(incidence, 1.0, factor);
+        undirected |= within(joints[i] * incidence, reach, factor);
         parallel |= line_parallel;
         extended |= vanishes(survey->extension, at, factor) & !line_parallel;
     }
@@ -132,20 +135,20 @@ INLINE int surely_none_zero(struct factor of, size_t first, size_t count, double
     return !zero;
 }
 
-/* Whether no outer leg of poses from an index on has the length zero. */
+/* Whether surely no outer leg of poses from an index on has a length or n_i·u_i of zero. */
 INLINE int surely_no_leg_zero(
     const struct survey *survey, size_t first, size_t count, size_t radius_step, double factor)
 {
     const double *joints = survey->joints + 6 * first, *radius = survey->radius;
-    const double *limb = survey->limb.values + 3 * first, *scale = survey->limb.scales + 3 * first;
+    const double *incidence = survey->incidence + 3 * first;
     int zero = 0;
 #pragma omp simd reduction(| : zero)
     for (size_t pose = 0; pose < count; ++pose) {
         const double allowed =
             factor * (radius[(first + pose) * radius_step] + 2.0 * joints[6 * pose + 5]);
         for (size_t i = 0; i < 3; ++i) {
-            const double leg = joints[6 * pose + i] * fabs(limb[3 * pose + i]);
-            zero |= !(leg > allowed * scale[3 * pose + i]);
+            const double size = fabs(incidence[3 * pose + i]);
+            zero |= !(size > factor) | !(joints[6 * pose + i] * size > allowed);
         }
     }
     return !zero;
@@ -153,8 +156,7 @@ INLINE int surely_no_leg_zero(
 
 static int surely_regular(const struct survey *survey, size_t first, size_t count, double factor)
 {
-    return surely_none_zero(survey->limb, 3 * first, 3 * count, factor) &&
-           surely_none_zero(survey->extension, 3 * first, 3 * count, factor) &&
+    return surely_none_zero(survey->extension, 3 * first, 3 * count, factor) &&
            surely_none_zero(survey->central, first, count, factor) &&
            surely_none_zero(survey->wrist, first, count, factor) &&
            surely_none_zero(survey->orientation, first, count, factor) &&

@@ -16,8 +16,9 @@ struct factor {
 struct survey {
     /* Six a pose, q6 the last of them. */
     const double *joints;
-    /* Three a pose. */
-    struct factor limb, extension;
+    /* Three a pose: n_i·u_i, beside 1, and the e_i. */
+    const double *incidence;
+    struct factor extension;
     /* One a pose. */
     struct factor central, wrist, orientation;
     /* The manipulator's radii: one for all poses (step 0) or one a pose (step 1). */

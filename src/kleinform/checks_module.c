@@ -147,29 +147,30 @@ static int read_factor(
            PyArray_SIZE((PyArrayObject *)args[1]) == poses * width;
 }
 
-/* classes(joints, limb, limb_scale, extension, extension_scale, central, central_scale, wrist,
+/* classes(joints, incidence, extension, extension_scale, central, central_scale, wrist,
    wrist_scale, orientation, orientation_scale, radius, factor) */
 static PyObject *classes(PyObject *module, PyObject *const *args, Py_ssize_t count)
 {
-    static const npy_intp trailing[1] = {6};
+    static const npy_intp trailing[1] = {6}, limbs[1] = {3};
     struct survey survey;
     double factor;
     (void)module;
-    if (wrong_count(count, 13) || !read_double(args[12], &factor))
+    if (wrong_count(count, 12) || !read_double(args[11], &factor))
         return NULL;
     survey.joints = numbers_of(args[0], 1, trailing);
-    survey.radius = numbers_of(args[11], 0, NULL);
-    if (!survey.joints || !survey.radius)
+    survey.incidence = numbers_of(args[1], 1, limbs);
+    survey.radius = numbers_of(args[10], 0, NULL);
+    if (!survey.joints || !survey.incidence || !survey.radius)
         Py_RETURN_NONE;
     PyArrayObject *joints = (PyArrayObject *)args[0];
     const npy_intp poses = PyArray_SIZE(joints) / 6;
-    const npy_intp radii = PyArray_SIZE((PyArrayObject *)args[11]);
+    const npy_intp radii = PyArray_SIZE((PyArrayObject *)args[10]);
     survey.radius_step = radii == 1 ? 0 : 1;
-    if ((radii != 1 && radii != poses) || !read_factor(args + 1, poses, 3, &survey.limb) ||
-        !read_factor(args + 3, poses, 3, &survey.extension) ||
-        !read_factor(args + 5, poses, 1, &survey.central) ||
-        !read_factor(args + 7, poses, 1, &survey.wrist) ||
-        !read_factor(args + 9, poses, 1, &survey.orientation))
+    if ((radii != 1 && radii != poses) || PyArray_SIZE((PyArrayObject *)args[1]) != poses * 3 ||
+        !read_factor(args + 2, poses, 3, &survey.extension) ||
+        !read_factor(args + 4, poses, 1, &survey.central) ||
+        !read_factor(args + 6, poses, 1, &survey.wrist) ||
+        !read_factor(args + 8, poses, 1, &survey.orientation))
         Py_RETURN_NONE;
     PyObject *codes = PyArray_SimpleNew(PyArray_NDIM(joints) - 1, PyArray_DIMS(joints), NPY_UINT8);
     if (!codes)
@@ -190,7 +191,7 @@ static PyMethodDef methods[] = {
      "none_zero(values, scales, factor): whether no value is finite and |value| <= factor scale;"
      " a scale a row, a scale a value, or one for all."},
     {"classes", (PyCFunction)(void (*)(void))classes, METH_FASTCALL,
-     "classes(joints, limb, limb_scale, extension, extension_scale, central, central_scale, wrist,"
+     "classes(joints, incidence, extension, extension_scale, central, central_scale, wrist,"
      " wrist_scale, orientation, orientation_scale, radius, factor): a code for each pose, or None."},
     {NULL, NULL, 0, NULL},
 };

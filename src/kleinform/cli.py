@@ -7,6 +7,7 @@ from __future__ import annotations
 
 import signal
 import sys
+import warnings
 from typing import NoReturn
 
 from kleinform.errors import KleinformError
@@ -35,6 +36,7 @@ def main() -> None:
 
 def run() -> NoReturn:
     """Run the command, with every error on one line."""
+    warnings.showwarning = told
     try:
         import typer
 
@@ -53,6 +55,11 @@ def run() -> NoReturn:
     except OSError as error:
         refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
     sys.exit(code)
+
+
+def told(message: Warning | str, *where: object, **more: object) -> None:
+    """A warning, on one line of standard error."""
+    print("kleinform:", " ".join(str(message).split()), file=sys.stderr)
 
 
 def refuse(message: str) -> NoReturn:

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from kleinform.generated import kernels
 from kleinform.pose import Geometry, Pose
 from kleinform.quick import classes, sound
-from kleinform.results import EPS, is_zero
 from kleinform.screening import LARGEST, ROTATION_TOLERANCE, SMALLEST
+from kleinform.zero import factors, legs, threshold
 from kleinform_kernels._threads import in_parts
 
 __all__ = [
@@ -58,20 +58,14 @@ class Limbs(NamedTuple):
     extended: Mask
 
 
-@np.errstate(all="ignore")
 def degenerate_limbs(survey: Any, radius: Array, rounding: float) -> Limbs:
     """What vanishes in each outer limb, by a kernel's survey of valid poses."""
-    limb, scale = abs(survey.limb), survey.limb_scale
-    # e_i is 0/0 where n_i·u_i = 0 and C lies in the plane of the leg.
-    parallel = is_zero(limb, scale, rounding) | np.isnan(survey.extension)
-    # |n_i·u_i| q_i against a + 2 q6, as in every other call.
-    allowed = rounding * EPS * (radius + 2.0 * survey.joints[..., 5])
-    legless = survey.joints[..., :3] * limb <= allowed[..., np.newaxis] * scale
-    extended = is_zero(survey.extension, survey.extension_scale, rounding)
-    return Limbs(parallel, legless | np.isnan(limb), extended & ~parallel)
+    judged = factors(survey)
+    parallel = judged.limb.zero(rounding)
+    extended = judged.extension.zero(rounding)
+    return Limbs(parallel, legs(survey, radius).zero(rounding), extended & ~parallel)
 
 
-@np.errstate(all="ignore")
 def by_numpy(survey: Any, radius: Array, rounding: float) -> Codes:
     """The codes (...) of a kernel's survey of valid poses.
 
@@ -80,15 +74,14 @@ def by_numpy(survey: Any, radius: Array, rounding: float) -> Codes:
     """
     limbs = degenerate_limbs(survey, radius, rounding)
     undirected = (limbs.parallel | limbs.legless).any(axis=-1)
-    central = is_zero(survey.central, survey.central_scale, rounding)
-    orientation = is_zero(survey.orientation, survey.orientation_scale, rounding)
-    wrist = is_zero(survey.wrist, survey.wrist_scale, rounding)
-    inverse = limbs.parallel.any(axis=-1) | central
+    judged = factors(survey)
+    inverse = limbs.parallel.any(axis=-1) | judged.central.zero(rounding)
+    orientation = judged.orientation.zero(rounding)
     direct = limbs.extended.any(axis=-1) | (orientation & ~undirected)
     codes: Codes = (
         inverse * np.uint8(PoseClass.INVERSE)
         + direct * np.uint8(PoseClass.DIRECT)
-        + wrist * np.uint8(PoseClass.WRIST)
+        + judged.wrist.zero(rounding) * np.uint8(PoseClass.WRIST)
         + undirected * np.uint8(PoseClass.LIMB)
     )
     return codes
@@ -142,8 +135,7 @@ def _codes(survey: Any, radius: Array, rounding: float) -> Codes:
     """The codes of a kernel's survey, compiled where the backend is."""
     codes = classes(
         survey.joints,
-        survey.limb,
-        survey.limb_scale,
+        survey.incidence,
         survey.extension,
         survey.extension_scale,
         survey.central,
@@ -153,6 +145,6 @@ def _codes(survey: Any, radius: Array, rounding: float) -> Codes:
         survey.orientation,
         survey.orientation_scale,
         radius,
-        rounding * EPS,
+        threshold(rounding),
     )
     return by_numpy(survey, radius, rounding) if codes is None else codes

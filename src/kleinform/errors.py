@@ -18,6 +18,7 @@ __all__ = [
     "NotFiniteError",
     "ShapeError",
     "SingularPoseError",
+    "SingularityWarning",
     "TrackingError",
 ]
 
@@ -66,6 +67,28 @@ class MissingExtraError(KleinformError, ImportError):
 
 class SingularPoseError(KleinformError):
     """A pose at which the answer does not exist; the message names what vanishes there."""
+
+
+class SingularityWarning(UserWarning):
+    """An answer was divided by a factor that nearly vanishes: |f|/scale is below √eps.
+
+    Attributes
+    ----------
+    mask : bool array (...) or None
+        The poses of the call near a singularity.
+    ratios : dict of name to float
+        The smallest |f|/scale of each factor that is so small at one of them.
+    """
+
+    def __init__(
+        self,
+        message: str,
+        mask: NDArray[np.bool_] | None = None,
+        ratios: dict[str, float] | None = None,
+    ) -> None:
+        super().__init__(message)
+        self.mask = mask
+        self.ratios = ratios or {}
 
 
 class TrackingError(KleinformError):

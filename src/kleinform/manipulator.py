@@ -32,6 +32,7 @@ from kleinform.screening import (
 from kleinform.tracking import refuse_crossings, track
 
 if TYPE_CHECKING:
+    from kleinform.conditioning import Conditioning
     from kleinform.forward.modes import AssemblyModes, AssemblyModesBatch
     from kleinform.motion.joint_motion import JointMotion
     from kleinform.motion.pose_motion import PoseMotion
@@ -137,11 +138,12 @@ class UncoupledManipulator:
         pose = check_pose(self, position, rotation, errors, azimuth=azimuth)
         result = kernels.inverse_displacement(pose.radius, pose.position, pose.rotation)
         pose.reject_incidence(result.incidence)
-        pose.reject_axis(result.radial, result.joints[..., 5])
+        # The azimuth is an arc tangent: nothing is divided by the distance from the Z axis.
+        pose.reject_axis(result.radial, result.joints[..., 5], divided=False)
         if pose.azimuth is not None:
             on_axis = pose.on_axis(result.radial, result.joints[..., 5])
             result.joints[..., 3] = np.where(on_axis, pose.azimuth, result.joints[..., 3])
-        pose.screen.blank(result.joints)
+        pose.blank(result.joints)
         return result.joints
 
     def forward_displacement(
@@ -232,7 +234,7 @@ class UncoupledManipulator:
         pose.reject_legs(result)
         pose.reject_axis(result.radial, result.central_length)
         screws = Screws(result.limb1, result.limb2, result.limb3, result.limb4)
-        pose.screen.blank(*screws)
+        pose.blank(*screws)
         return screws
 
     def jacobians(
@@ -258,7 +260,7 @@ class UncoupledManipulator:
         result = kernels.jacobians(pose.radius, pose.position, pose.rotation, pose.heading())
         pose.reject_legs(result)
         pose.reject_axis(result.radial, result.central_length)
-        pose.screen.blank(result.J_v, result.J_q)
+        pose.blank(result.J_v, result.J_q)
         return Jacobians(result.J_v, result.J_q)
 
     def inverse_velocity(
@@ -296,7 +298,7 @@ class UncoupledManipulator:
         result = kernels.inverse_velocity(pose.radius, pose.position, pose.rotation, halves)
         pose.reject_inverse(result)
         pose.reject_overflow(result.rates)
-        pose.screen.blank(result.rates)
+        pose.blank(result.rates)
         return result.rates
 
     def forward_velocity(
@@ -336,7 +338,7 @@ class UncoupledManipulator:
         )
         pose.reject_direct(result)
         pose.reject_overflow(result.twist)
-        pose.screen.blank(result.twist)
+        pose.blank(result.twist)
         return result.twist
 
     def joint_rates(
@@ -379,10 +381,10 @@ class UncoupledManipulator:
             pose.radius, pose.position, pose.rotation, pose.heading(), halves
         )
         pose.reject_inverse(result)
-        pose.reject_zero("(n_1 × n_2)·λ = 0, wrist", result.wrist, result.wrist_scale)
+        pose.reject_wrist(result)
         in_a_row = result.rates.reshape((*result.rates.shape[:-2], 24))
         pose.reject_overflow(in_a_row)
-        pose.screen.blank(result.rates)
+        pose.blank(result.rates)
         return result.rates
 
     # Acceleration analysis --------------------------------------------------------------
@@ -427,7 +429,7 @@ class UncoupledManipulator:
         )
         pose.reject_inverse(result)
         pose.reject_overflow(result.accelerations)
-        pose.screen.blank(result.accelerations)
+        pose.blank(result.accelerations)
         return result.accelerations
 
     def forward_acceleration(
@@ -469,7 +471,7 @@ class UncoupledManipulator:
         )
         pose.reject_direct(result)
         pose.reject_overflow(result.twist_rate)
-        pose.screen.blank(result.twist_rate)
+        pose.blank(result.twist_rate)
         return result.twist_rate
 
     # Statics ----------------------------------------------------------------------------
@@ -513,7 +515,7 @@ class UncoupledManipulator:
         result = kernels.platform_wrench(pose.radius, pose.position, pose.rotation, drives)
         pose.reject_inverse(result)
         pose.reject_overflow(result.wrench)
-        pose.screen.blank(result.wrench)
+        pose.blank(result.wrench)
         return result.wrench
 
     def actuator_forces(
@@ -555,7 +557,7 @@ class UncoupledManipulator:
         )
         pose.reject_direct(result)
         pose.reject_overflow(result.forces)
-        pose.screen.blank(result.forces)
+        pose.blank(result.forces)
         return result.forces
 
     # Singularity analysis ---------------------------------------------------------------
@@ -577,7 +579,7 @@ class UncoupledManipulator:
             direction (q_i = 0, or n_i·u_i = 0 = a − c·u_i), ``wrist`` at c = 0.
         """
         pose = check_pose(self, position, rotation, errors)
-        result = kernels.inverse_singularity(pose.radius, pose.position, pose.rotation)
+        result = kernels.survey(pose.radius, pose.position, pose.rotation)
         pose.screen.blank(*result)
         return InverseSingularity(result, self.rounding, pose.screen)
 
@@ -597,7 +599,7 @@ class UncoupledManipulator:
             so are e_i and what contains it; if also ``a = c·u_i``, both are 0/0.
         """
         pose = check_pose(self, position, rotation, errors)
-        result = kernels.direct_singularity(pose.radius, pose.position, pose.rotation)
+        result = kernels.survey(pose.radius, pose.position, pose.rotation)
         pose.screen.blank(*result)
         return DirectSingularity(result, self.rounding, pose.screen)
 
@@ -637,6 +639,27 @@ class UncoupledManipulator:
             the codes is computed when it is asked for, from the arrays as they are then.
         """
         return classify(self, position, rotation, errors)
+
+    def conditioning(
+        self, position: ArrayLike, rotation: RotationLike, *, errors: Errors = "raise"
+    ) -> Conditioning:
+        """How near poses are to each singularity: ratios and singular values, with their units.
+
+        Parameters
+        ----------
+        position, rotation, errors
+            As in `inverse_singularity`: no pose is refused for being singular.
+
+        Returns
+        -------
+        Conditioning
+            ``.ratios``, |f|/scale of each factor by its name, and ``.singular_values`` of the
+            parts of the velocity map that have one unit. There is no invariant distance to a
+            singularity on SE(3), and so no single number here.
+        """
+        from kleinform.conditioning import conditioning
+
+        return conditioning(self, position, rotation, errors)
 
     # Motion -----------------------------------------------------------------------------
 

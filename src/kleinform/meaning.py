@@ -15,7 +15,8 @@ from numpy.typing import NDArray
 from kleinform.codes import PoseClass, degenerate_limbs
 from kleinform.generated import kernels
 from kleinform.pose import Pose
-from kleinform.results import EPS, Survey
+from kleinform.results import Survey
+from kleinform.zero import threshold
 
 __all__ = ["OnePose"]
 
@@ -48,7 +49,7 @@ class OnePose:
         spans = np.linalg.norm(self.feet - platform_joints, axis=1) / self.unit
         losses = np.maximum(1.0, 1.0 / spans) / np.sum(self.directions * self.axes, axis=1) ** 2
         directed = ~(self.limbs.parallel | self.limbs.legless)
-        self.tolerance = pose.rounding * EPS * losses[directed].max(initial=1.0)
+        self.tolerance = threshold(pose.rounding) * losses[directed].max(initial=1.0)
 
     # Motions ----------------------------------------------------------------------------
 

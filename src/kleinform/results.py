@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 
 from kleinform.errors import InputError
 from kleinform.screening import Screen
+from kleinform.zero import factors
 
 __all__ = [
     "DirectSingularity",
@@ -20,12 +21,10 @@ __all__ = [
     "Screws",
     "Singularity",
     "Survey",
-    "is_zero",
 ]
 
 Array = NDArray[np.float64]
 Mask = NDArray[np.bool_]
-EPS = float(np.finfo(np.float64).eps)
 
 
 class Jacobians(NamedTuple):
@@ -59,12 +58,6 @@ class Screws(NamedTuple):
         return self[limb - 1][..., joint - 1, :]
 
 
-def is_zero(value: Array, scale: Array | float, rounding: float) -> Mask:
-    """Whether a finite value is zero within its rounding, ``|f| <= rounding eps scale``."""
-    # An infinite value against an infinite scale is no zero.
-    return (abs(value) <= rounding * EPS * np.asarray(scale)) & np.isfinite(value)
-
-
 @dataclass(eq=False, repr=False)
 class _Factors:
     """Named factors, their scales, and which of them vanish."""
@@ -90,10 +83,8 @@ class _Factors:
 
     def vanishing(self) -> dict[str, Mask]:
         """For each factor, where it counts as zero: ``|f| <= rounding eps scale``."""
-        return {
-            name: is_zero(value, self.scales[name], self.rounding)
-            for name, value in self.factors.items()
-        }
+        judged = factors(self.result).by_name()
+        return {name: judged[name].zero(self.rounding) for name in self.factors}
 
     def undefined(self) -> dict[str, Mask]:
         """For each factor, where it is 0/0 in a valid row: a limb or the wrist has no form."""
@@ -129,9 +120,12 @@ class Singularity(_Factors):
         False in rows that ``errors="nan"`` blanked.
     """
 
+    #: Which of a kernel's results is the determinant.
+    DETERMINANT: ClassVar[str]
+
     @property
     def determinant(self) -> Array:
-        value: Array = self.result.determinant[()]
+        value: Array = getattr(self.result, self.DETERMINANT)[()]
         return value
 
 
@@ -139,12 +133,14 @@ class InverseSingularity(Singularity):
     """det J_q and its factors."""
 
     NAMES = ("limb", "central", "wrist")
+    DETERMINANT = "inverse_determinant"
 
 
 class DirectSingularity(Singularity):
     """det J_v and its factors."""
 
     NAMES = ("extension", "orientation", "wrist")
+    DETERMINANT = "direct_determinant"
 
 
 class Survey(_Factors):

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import nullcontext
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -143,7 +145,9 @@ def test_next_to_the_wrist_singularity() -> None:
     rng = np.random.default_rng(63)
     for distance in (1e-4, 1e-8, 1e-12):
         case = near_wrist(rng, distance)
-        rates = ROBOT.joint_rates(*case[1:], np.ones(6))
+        near = distance < 1e-7  # below √eps for its scale
+        with pytest.warns(kleinform.SingularityWarning, match="wrist") if near else nullcontext():
+            rates = ROBOT.joint_rates(*case[1:], np.ones(6))
         central = ROBOT.screws(*case[1:]).central
         terms = np.linalg.norm(abs(rates[3]) @ abs(central))
         assert np.linalg.norm(rates[3] @ central - 1.0) <= 64 * EPS * terms

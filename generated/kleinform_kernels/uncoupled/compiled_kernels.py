@@ -1061,7 +1061,7 @@ def forward_velocity(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLik
     """Twist from the joint rates, and the determinant of its 3×3 with its factors.
 
     Equations (12), (17) of the paper; base frame.
-    366 operations.
+    369 operations.
 
     Parameters
     ----------
@@ -1256,7 +1256,7 @@ def actuator_forces(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: ArrayLike
     """Forces of the actuators from the wrench that the platform exerts.
 
     Equations (16), (17), by duality of the paper; base frame.
-    372 operations.
+    374 operations.
 
     Parameters
     ----------
@@ -1389,7 +1389,7 @@ def forward_acceleration(a: ArrayLike, c: ArrayLike, R: ArrayLike, heading: Arra
     """Twist and its derivative from the joint rates and accelerations.
 
     Equations (12), (17), differentiated of the paper; base frame.
-    631 operations.
+    634 operations.
 
     Parameters
     ----------
@@ -1617,6 +1617,8 @@ def survey(a: ArrayLike, c: ArrayLike, R: ArrayLike) -> Survey:
         scales of the e_i [m]
     orientation_scale : array (...)
         scale of orientation [m³]
+    incidence : array (..., 3)
+        n_i·u_i [1]
     """
     return _survey(a, c, R) or Survey(
         *apply_compiled(
@@ -1640,6 +1642,7 @@ def survey(a: ArrayLike, c: ArrayLike, R: ArrayLike) -> Survey:
                 (),
                 (3,),
                 (),
+                (3,),
             ),
         )
     )

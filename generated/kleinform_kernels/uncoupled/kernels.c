@@ -3725,11 +3725,23 @@ KLEINFORM_BODY void forward_velocity_body(
     const double sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y);
     /* p_i² times the distance from B_i to D_i [m] */
     const double rho3 = sqrt((sigma3*sigma3) + (tau3*tau3));
-    const double x21 = sigma2*tau3;
-    const double x22 = sigma3*tau2;
-    const double x23 = sigma3*tau1;
+    const double x21 = sigma2*sigma3;
+    /* sigma of the limbs beside 1 [m²] */
+    const double sigma_pair1 = x21;
+    /* term 1 of tilt (27) [m³] */
+    const double tilt_part1 = sigma_pair1*tau1;
+    const double x22 = sigma1*sigma3;
+    /* sigma of the limbs beside 2 [m²] */
+    const double sigma_pair2 = x22;
+    /* term 2 of tilt (27) [m³] */
+    const double tilt_part2 = sigma_pair2*tau2;
+    const double x23 = sigma1*sigma2;
+    /* sigma of the limbs beside 3 [m²] */
+    const double sigma_pair3 = x23;
+    /* term 3 of tilt (27) [m³] */
+    const double tilt_part3 = sigma_pair3*tau3;
     /* the three lines S_i in the platform frame (27) [m³] */
-    const double tilt = sigma1*x21 + sigma1*x22 + sigma2*x23;
+    const double tilt = tilt_part1 + tilt_part2 + tilt_part3;
     const double x24 = SQRT3_2*tilt;
     const double x25 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)));
     /* orientation: the moments of B_iD_i about C are coplanar (27) [m³] */
@@ -3761,28 +3773,28 @@ KLEINFORM_BODY void forward_velocity_body(
     const double v_x = axis_y*x36 - c_y*dq4 + dq6*lambda_x;
     const double v_y = -axis_x*x36 + c_x*dq4 + dq6*lambda_y;
     const double v_z = dq5*(axis_x*c_y - axis_y*c_x) + dq6*lambda_z;
-    const double x37 = nu_y*sigma1;
-    const double x38 = nu_z*sigma1;
     /* what limb 1 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s] */
-    const double drive1 = n1_x*(-dq1*l1*x27 - v_x*(m1_x*tau1 + nu_x*sigma1) - v_y*(m1_y*tau1 + x37) - v_z*(m1_z*tau1 + x38))/h1;
-    const double x39 = nu_y*sigma2;
-    const double x40 = nu_z*sigma2;
+    const double drive1 = n1_x*(-dq1*l1*x27 - v_x*(m1_x*tau1 + nu_x*sigma1) - v_y*(m1_y*tau1 + nu_y*sigma1) - v_z*(m1_z*tau1 + nu_z*sigma1))/h1;
     /* what limb 2 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s] */
-    const double drive2 = p2*(-dq2*l2*x28 - v_x*(m2_x*tau2 + nu_x*sigma2) - v_y*(m2_y*tau2 + x39) - v_z*(m2_z*tau2 + x40))/h2;
+    const double drive2 = p2*(-dq2*l2*x28 - v_x*(m2_x*tau2 + nu_x*sigma2) - v_y*(m2_y*tau2 + nu_y*sigma2) - v_z*(m2_z*tau2 + nu_z*sigma2))/h2;
     /* what limb 3 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s] */
     const double drive3 = p3*(-dq3*l3*x29 - v_x*(m3_x*tau3 + nu_x*sigma3) - v_y*(m3_y*tau3 + nu_y*sigma3) - v_z*(m3_z*tau3 + nu_z*sigma3))/h3;
-    const double x41 = sigma3*x20;
-    const double x42 = n1_x*sigma1;
-    const double x43 = sigma2*tau1;
-    const double x44 = 1.3333333333333333*SQRT3_2/tilt;
+    const double x37 = n3_x*sigma3;
+    const double x38 = n2_x*sigma2;
+    const double x39 = n1_x*sigma1;
+    const double x40 = 1.3333333333333333*SQRT3_2/tilt;
     /* angular velocity (17) [rad/s] */
-    const double omega_x = x44*(drive1*(-n2_x*x21 + n3_x*x22 + sigma2*x41) + drive2*(-n3_x*x23 + sigma1*x41 + tau3*x42) + drive3*(n2_x*x43 + sigma1*sigma2*x20 - tau2*x42));
-    const double x45 = SQRT3_2*sigma3;
-    const double x46 = n1_y*sigma1;
-    const double x47 = SQRT3_2*sigma2;
-    const double omega_y = x44*(drive1*(-n2_y*x21 + n3_y*x22 + x39*x45) + drive2*(-n3_y*x23 + tau3*x46 + x37*x45) + drive3*(n2_y*x43 - tau2*x46 + x37*x47));
+    const double omega_x = x40*(drive1*(tau2*x37 - tau3*x38 + x20*x21) + drive2*(-tau1*x37 + tau3*x39 + x20*x22) + drive3*(tau1*x38 - tau2*x39 + x20*x23));
+    const double x41 = n3_y*sigma3;
+    const double x42 = n2_y*sigma2;
+    const double x43 = SQRT3_2*nu_y;
+    const double x44 = n1_y*sigma1;
+    const double omega_y = x40*(drive1*(tau2*x41 - tau3*x42 + x21*x43) + drive2*(-tau1*x41 + tau3*x44 + x22*x43) + drive3*(tau1*x42 - tau2*x44 + x23*x43));
+    const double x45 = n3_z*sigma3;
+    const double x46 = n2_z*sigma2;
+    const double x47 = SQRT3_2*nu_z;
     const double x48 = n1_z*sigma1;
-    const double omega_z = x44*(drive1*(-n2_z*x21 + n3_z*x22 + x40*x45) + drive2*(-n3_z*x23 + tau3*x48 + x38*x45) + drive3*(n2_z*x43 - tau2*x48 + x38*x47));
+    const double omega_z = x40*(drive1*(tau2*x45 - tau3*x46 + x21*x47) + drive2*(-tau1*x45 + tau3*x48 + x22*x47) + drive3*(tau1*x46 - tau2*x48 + x23*x47));
     out_twist[0] = omega_x;
     out_twist[stride] = omega_y;
     out_twist[2 * stride] = omega_z;
@@ -4549,51 +4561,64 @@ KLEINFORM_BODY void actuator_forces_body(
     const double x31 = fabs(p3);
     /* Klein form of S_i and the actuated screw (15), (23) [1] */
     const double limb3 = -l3*x30*x31;
-    const double x32 = sigma2*tau3;
-    const double x33 = sigma3*tau2;
-    const double x34 = sigma3*tau1;
+    const double x32 = sigma2*sigma3;
+    /* sigma of the limbs beside 1 [m²] */
+    const double sigma_pair1 = x32;
+    /* term 1 of tilt (27) [m³] */
+    const double tilt_part1 = sigma_pair1*tau1;
+    /* sigma of the limbs beside 2 [m²] */
+    const double sigma_pair2 = sigma1*sigma3;
+    /* term 2 of tilt (27) [m³] */
+    const double tilt_part2 = sigma_pair2*tau2;
+    /* sigma of the limbs beside 3 [m²] */
+    const double sigma_pair3 = sigma1*sigma2;
+    /* term 3 of tilt (27) [m³] */
+    const double tilt_part3 = sigma_pair3*tau3;
     /* the three lines S_i in the platform frame (27) [m³] */
-    const double tilt = sigma1*x32 + sigma1*x33 + sigma2*x34;
-    const double x35 = SQRT3_2/(((n1_x*n1_x))*((p2*p2))*((p3*p3)));
+    const double tilt = tilt_part1 + tilt_part2 + tilt_part3;
+    const double x33 = SQRT3_2/(((n1_x*n1_x))*((p2*p2))*((p3*p3)));
     /* orientation: the moments of B_iD_i about C are coplanar (27) [m³] */
-    const double orientation = tilt*x35;
+    const double orientation = tilt*x33;
     /* largest length in a leg's equations [m] */
     const double reach = a + 2.0*q6;
-    const double x36 = a + q6;
+    const double x34 = a + q6;
     /* scale of e1 [m] */
-    const double e_scale1 = x36/x23;
+    const double e_scale1 = x34/x23;
     /* scale of e2 [m] */
-    const double e_scale2 = x36/x29;
+    const double e_scale2 = x34/x29;
     /* scale of e3 [m] */
-    const double e_scale3 = x36/x31;
-    const double x37 = fabs(sigma1);
-    const double x38 = fabs(sigma2);
-    const double x39 = fabs(sigma3);
-    const double x40 = fabs(tau2);
-    const double x41 = fabs(tau3);
-    const double x42 = fabs(tau1);
+    const double e_scale3 = x34/x31;
+    const double x35 = fabs(sigma1);
+    const double x36 = fabs(sigma2);
+    const double x37 = fabs(sigma3);
+    const double x38 = fabs(tau2);
+    const double x39 = fabs(tau3);
+    const double x40 = fabs(tau1);
     /* scale of the orientation factor [m³] */
-    const double orientation_scale = reach*x35*(x37*x38 + x37*x39 + x37*x40 + x37*x41 + x38*x39 + x38*x41 + x38*x42 + x39*x40 + x39*x42);
+    const double orientation_scale = reach*x33*(x35*x36 + x35*x37 + x35*x38 + x35*x39 + x36*x37 + x36*x39 + x36*x40 + x37*x38 + x37*x40);
+    const double x41 = sigma3*tau2;
+    const double x42 = sigma2*tau3;
     const double x43 = SQRT3_2*sigma3;
     const double x44 = 1.3333333333333333*SQRT3_2/tilt;
     /* power of the moment at the omega that a drive of 1 of limb 1 alone makes (17) [N] */
-    const double share1 = x44*(moment_x*(-n2_x*x32 + n3_x*x33 + sigma2*sigma3*x25) + moment_y*(-n2_y*x32 + n3_y*x33 + x27*x43) + moment_z*(-n2_z*x32 + n3_z*x33 + x28*x43));
+    const double share1 = x44*(moment_x*(-n2_x*x42 + n3_x*x41 + x25*x32) + moment_y*(-n2_y*x42 + n3_y*x41 + x27*x43) + moment_z*(-n2_z*x42 + n3_z*x41 + x28*x43));
     /* force along S_1 (17) [N] */
     const double load1 = rho1*share1/e1;
     /* force of the actuator of limb 1 (15) [N] */
     const double force1 = limb1*load1;
     const double x45 = sigma1*tau3;
+    const double x46 = sigma3*tau1;
     /* power of the moment at the omega that a drive of 1 of limb 2 alone makes (17) [N] */
-    const double share2 = x44*(moment_x*(n1_x*x45 - n3_x*x34 + x20*x43) + moment_y*(n1_y*x45 - n3_y*x34 + x21*x43) + moment_z*(n1_z*x45 - n3_z*x34 + x22*x43));
+    const double share2 = x44*(moment_x*(n1_x*x45 - n3_x*x46 + x20*x43) + moment_y*(n1_y*x45 - n3_y*x46 + x21*x43) + moment_z*(n1_z*x45 - n3_z*x46 + x22*x43));
     /* force along S_2 (17) [N] */
     const double load2 = rho2*share2/e2;
     /* force of the actuator of limb 2 (15) [N] */
     const double force2 = limb2*load2;
-    const double x46 = sigma2*tau1;
-    const double x47 = sigma1*tau2;
-    const double x48 = SQRT3_2*sigma2;
+    const double x47 = sigma2*tau1;
+    const double x48 = sigma1*tau2;
+    const double x49 = SQRT3_2*sigma2;
     /* power of the moment at the omega that a drive of 1 of limb 3 alone makes (17) [N] */
-    const double share3 = x44*(moment_x*(-n1_x*x47 + n2_x*x46 + x20*x48) + moment_y*(-n1_y*x47 + n2_y*x46 + x21*x48) + moment_z*(-n1_z*x47 + n2_z*x46 + x22*x48));
+    const double share3 = x44*(moment_x*(-n1_x*x48 + n2_x*x47 + x20*x49) + moment_y*(-n1_y*x48 + n2_y*x47 + x21*x49) + moment_z*(-n1_z*x48 + n2_z*x47 + x22*x49));
     /* force along S_3 (17) [N] */
     const double load3 = rho3*share3/e3;
     /* force of the actuator of limb 3 (15) [N] */
@@ -5081,11 +5106,23 @@ KLEINFORM_BODY void forward_acceleration_body(
     const double tau3 = -gt3*nu_z + gz3*(-x29 + x30);
     /* p_i² times the part of B_iD_i normal to the platform [m] */
     const double sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y);
-    const double x31 = sigma2*tau3;
-    const double x32 = sigma3*tau2;
-    const double x33 = sigma3*tau1;
+    const double x31 = sigma2*sigma3;
+    /* sigma of the limbs beside 1 [m²] */
+    const double sigma_pair1 = x31;
+    /* term 1 of tilt (27) [m³] */
+    const double tilt_part1 = sigma_pair1*tau1;
+    const double x32 = sigma1*sigma3;
+    /* sigma of the limbs beside 2 [m²] */
+    const double sigma_pair2 = x32;
+    /* term 2 of tilt (27) [m³] */
+    const double tilt_part2 = sigma_pair2*tau2;
+    const double x33 = sigma1*sigma2;
+    /* sigma of the limbs beside 3 [m²] */
+    const double sigma_pair3 = x33;
+    /* term 3 of tilt (27) [m³] */
+    const double tilt_part3 = sigma_pair3*tau3;
     /* the three lines S_i in the platform frame (27) [m³] */
-    const double tilt = sigma1*x31 + sigma1*x32 + sigma2*x33;
+    const double tilt = tilt_part1 + tilt_part2 + tilt_part3;
     const double x34 = 1.0/((n1_x*n1_x));
     const double x35 = 1.0/((p2*p2));
     const double x36 = 1.0/((p3*p3));
@@ -5122,50 +5159,50 @@ KLEINFORM_BODY void forward_acceleration_body(
     const double v_z = dq5*x51 + x50;
     const double x52 = l1*x15;
     const double x53 = m1_x*tau1 + nu_x*sigma1;
-    const double x54 = nu_y*sigma1;
-    const double x55 = m1_y*tau1 + x54;
-    const double x56 = nu_z*sigma1;
-    const double x57 = m1_z*tau1 + x56;
-    const double x58 = n1_x/h1;
+    const double x54 = m1_y*tau1 + nu_y*sigma1;
+    const double x55 = m1_z*tau1 + nu_z*sigma1;
+    const double x56 = n1_x/h1;
     /* what limb 1 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s] */
-    const double drive1 = x58*(-dq1*x52 - v_x*x53 - v_y*x55 - v_z*x57);
-    const double x59 = l2*x23;
-    const double x60 = m2_x*tau2 + nu_x*sigma2;
-    const double x61 = nu_y*sigma2;
-    const double x62 = m2_y*tau2 + x61;
-    const double x63 = nu_z*sigma2;
-    const double x64 = m2_z*tau2 + x63;
-    const double x65 = p2/h2;
+    const double drive1 = x56*(-dq1*x52 - v_x*x53 - v_y*x54 - v_z*x55);
+    const double x57 = l2*x23;
+    const double x58 = m2_x*tau2 + nu_x*sigma2;
+    const double x59 = m2_y*tau2 + nu_y*sigma2;
+    const double x60 = m2_z*tau2 + nu_z*sigma2;
+    const double x61 = p2/h2;
     /* what limb 2 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s] */
-    const double drive2 = x65*(-dq2*x59 - v_x*x60 - v_y*x62 - v_z*x64);
-    const double x66 = l3*x26;
-    const double x67 = m3_x*tau3 + nu_x*sigma3;
-    const double x68 = m3_y*tau3 + nu_y*sigma3;
-    const double x69 = m3_z*tau3 + nu_z*sigma3;
-    const double x70 = p3/h3;
+    const double drive2 = x61*(-dq2*x57 - v_x*x58 - v_y*x59 - v_z*x60);
+    const double x62 = l3*x26;
+    const double x63 = m3_x*tau3 + nu_x*sigma3;
+    const double x64 = m3_y*tau3 + nu_y*sigma3;
+    const double x65 = m3_z*tau3 + nu_z*sigma3;
+    const double x66 = p3/h3;
     /* what limb 3 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s] */
-    const double drive3 = x70*(-dq3*x66 - v_x*x67 - v_y*x68 - v_z*x69);
-    const double x71 = sigma3*x30;
-    const double x72 = -n2_x*x31 + n3_x*x32 + sigma2*x71;
-    const double x73 = n1_x*sigma1;
-    const double x74 = -n3_x*x33 + sigma1*x71 + tau3*x73;
-    const double x75 = sigma2*tau1;
-    const double x76 = n2_x*x75 + sigma1*sigma2*x30 - tau2*x73;
-    const double x77 = 1.3333333333333333*SQRT3_2/tilt;
+    const double drive3 = x66*(-dq3*x62 - v_x*x63 - v_y*x64 - v_z*x65);
+    const double x67 = n3_x*sigma3;
+    const double x68 = n2_x*sigma2;
+    const double x69 = tau2*x67 - tau3*x68 + x30*x31;
+    const double x70 = n1_x*sigma1;
+    const double x71 = -tau1*x67 + tau3*x70 + x30*x32;
+    const double x72 = tau1*x68 - tau2*x70 + x30*x33;
+    const double x73 = 1.3333333333333333*SQRT3_2/tilt;
     /* angular velocity (17) [rad/s] */
-    const double omega_x = x77*(drive1*x72 + drive2*x74 + drive3*x76);
-    const double x78 = SQRT3_2*sigma3;
-    const double x79 = -n2_y*x31 + n3_y*x32 + x61*x78;
-    const double x80 = n1_y*sigma1;
-    const double x81 = -n3_y*x33 + tau3*x80 + x54*x78;
-    const double x82 = SQRT3_2*sigma2;
-    const double x83 = n2_y*x75 - tau2*x80 + x54*x82;
-    const double omega_y = x77*(drive1*x79 + drive2*x81 + drive3*x83);
-    const double x84 = -n2_z*x31 + n3_z*x32 + x63*x78;
+    const double omega_x = x73*(drive1*x69 + drive2*x71 + drive3*x72);
+    const double x74 = n3_y*sigma3;
+    const double x75 = n2_y*sigma2;
+    const double x76 = SQRT3_2*nu_y;
+    const double x77 = tau2*x74 - tau3*x75 + x31*x76;
+    const double x78 = n1_y*sigma1;
+    const double x79 = -tau1*x74 + tau3*x78 + x32*x76;
+    const double x80 = tau1*x75 - tau2*x78 + x33*x76;
+    const double omega_y = x73*(drive1*x77 + drive2*x79 + drive3*x80);
+    const double x81 = n3_z*sigma3;
+    const double x82 = n2_z*sigma2;
+    const double x83 = SQRT3_2*nu_z;
+    const double x84 = tau2*x81 - tau3*x82 + x31*x83;
     const double x85 = n1_z*sigma1;
-    const double x86 = -n3_z*x33 + tau3*x85 + x56*x78;
-    const double x87 = n2_z*x75 - tau2*x85 + x56*x82;
-    const double omega_z = x77*(drive1*x84 + drive2*x86 + drive3*x87);
+    const double x86 = -tau1*x81 + tau3*x85 + x32*x83;
+    const double x87 = tau1*x82 - tau2*x85 + x33*x83;
+    const double omega_z = x73*(drive1*x84 + drive2*x86 + drive3*x87);
     const double x88 = c_z*ddq5;
     const double x89 = dq5*v_z;
     const double x90 = dq6*x13;
@@ -5184,9 +5221,9 @@ KLEINFORM_BODY void forward_acceleration_body(
     const double x94 = -n1_x*omega_y + n1_y*omega_x;
     const double db1_z = de1*n1_z + e1*x94 + v_z;
     /* the part of the acceleration of an outer limb that the rates alone make (6) [m/s²] */
-    const double bias1 = ((db1_x*db1_x) + (db1_y*db1_y) + (db1_z*db1_z) - (dq1*dq1) - x34*(2.0*de1*(x53*x91 + x55*x93 + x57*x94) + e1*(n1_x*omega_x + n1_y*omega_y + n1_z*omega_z)*(omega_x*x53 + omega_y*x55 + omega_z*x57)))/q1;
+    const double bias1 = ((db1_x*db1_x) + (db1_y*db1_y) + (db1_z*db1_z) - (dq1*dq1) - x34*(2.0*de1*(x53*x91 + x54*x93 + x55*x94) + e1*(n1_x*omega_x + n1_y*omega_y + n1_z*omega_z)*(omega_x*x53 + omega_y*x54 + omega_z*x55)))/q1;
     /* what limb 1 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²] */
-    const double ddrive1 = x58*(-dv_x*x53 - dv_y*x55 - dv_z*x57 - x52*(-bias1 + ddq1));
+    const double ddrive1 = x56*(-dv_x*x53 - dv_y*x54 - dv_z*x55 - x52*(-bias1 + ddq1));
     const double x95 = SQRT3_2*v_y;
     const double x96 = n2_x*omega_z - n2_z*omega_x;
     /* rate of e_i (4) [m/s] */
@@ -5198,9 +5235,9 @@ KLEINFORM_BODY void forward_acceleration_body(
     const double x98 = -n2_x*omega_y + n2_y*omega_x;
     const double db2_z = de2*n2_z + e2*x98 + v_z;
     /* the part of the acceleration of an outer limb that the rates alone make (6) [m/s²] */
-    const double bias2 = ((db2_x*db2_x) + (db2_y*db2_y) + (db2_z*db2_z) - (dq2*dq2) - x35*(2.0*de2*(x60*x97 + x62*x96 + x64*x98) + e2*(n2_x*omega_x + n2_y*omega_y + n2_z*omega_z)*(omega_x*x60 + omega_y*x62 + omega_z*x64)))/q2;
+    const double bias2 = ((db2_x*db2_x) + (db2_y*db2_y) + (db2_z*db2_z) - (dq2*dq2) - x35*(2.0*de2*(x58*x97 + x59*x96 + x60*x98) + e2*(n2_x*omega_x + n2_y*omega_y + n2_z*omega_z)*(omega_x*x58 + omega_y*x59 + omega_z*x60)))/q2;
     /* what limb 2 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²] */
-    const double ddrive2 = x65*(-dv_x*x60 - dv_y*x62 - dv_z*x64 - x59*(-bias2 + ddq2));
+    const double ddrive2 = x61*(-dv_x*x58 - dv_y*x59 - dv_z*x60 - x57*(-bias2 + ddq2));
     const double x99 = n3_x*omega_z - n3_z*omega_x;
     /* rate of e_i (4) [m/s] */
     const double de3 = x25*(-e3*(-SQRT3_2*x99 + 0.5*n3_y*omega_z - 0.5*n3_z*omega_y) + 0.5*v_x + x95);
@@ -5211,13 +5248,13 @@ KLEINFORM_BODY void forward_acceleration_body(
     const double x101 = -n3_x*omega_y + n3_y*omega_x;
     const double db3_z = de3*n3_z + e3*x101 + v_z;
     /* the part of the acceleration of an outer limb that the rates alone make (6) [m/s²] */
-    const double bias3 = ((db3_x*db3_x) + (db3_y*db3_y) + (db3_z*db3_z) - (dq3*dq3) - x36*(2.0*de3*(x100*x67 + x101*x69 + x68*x99) + e3*(n3_x*omega_x + n3_y*omega_y + n3_z*omega_z)*(omega_x*x67 + omega_y*x68 + omega_z*x69)))/q3;
+    const double bias3 = ((db3_x*db3_x) + (db3_y*db3_y) + (db3_z*db3_z) - (dq3*dq3) - x36*(2.0*de3*(x100*x63 + x101*x65 + x64*x99) + e3*(n3_x*omega_x + n3_y*omega_y + n3_z*omega_z)*(omega_x*x63 + omega_y*x64 + omega_z*x65)))/q3;
     /* what limb 3 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²] */
-    const double ddrive3 = x70*(-dv_x*x67 - dv_y*x68 - dv_z*x69 - x66*(-bias3 + ddq3));
+    const double ddrive3 = x66*(-dv_x*x63 - dv_y*x64 - dv_z*x65 - x62*(-bias3 + ddq3));
     /* angular acceleration (17) [rad/s²] */
-    const double domega_x = x77*(ddrive1*x72 + ddrive2*x74 + ddrive3*x76);
-    const double domega_y = x77*(ddrive1*x79 + ddrive2*x81 + ddrive3*x83);
-    const double domega_z = x77*(ddrive1*x84 + ddrive2*x86 + ddrive3*x87);
+    const double domega_x = x73*(ddrive1*x69 + ddrive2*x71 + ddrive3*x72);
+    const double domega_y = x73*(ddrive1*x77 + ddrive2*x79 + ddrive3*x80);
+    const double domega_z = x73*(ddrive1*x84 + ddrive2*x86 + ddrive3*x87);
     out_twist[0] = omega_x;
     out_twist[stride] = omega_y;
     out_twist[2 * stride] = omega_z;
@@ -5542,10 +5579,22 @@ KLEINFORM_BODY void direct_singularity_body(
     const double sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - 0.5*m3_y);
     /* p_i² times the distance from B_i to D_i [m] */
     const double rho3 = sqrt((sigma3*sigma3) + (tau3*tau3));
+    /* sigma of the limbs beside 1 [m²] */
+    const double sigma_pair1 = sigma2*sigma3;
+    /* term 1 of tilt (27) [m³] */
+    const double tilt_part1 = sigma_pair1*tau1;
+    /* sigma of the limbs beside 2 [m²] */
+    const double sigma_pair2 = sigma1*sigma3;
+    /* term 2 of tilt (27) [m³] */
+    const double tilt_part2 = sigma_pair2*tau2;
+    /* sigma of the limbs beside 3 [m²] */
+    const double sigma_pair3 = sigma1*sigma2;
+    /* term 3 of tilt (27) [m³] */
+    const double tilt_part3 = sigma_pair3*tau3;
     /* wrist: the central limb in the platform's plane (26), (27) [1] */
     const double wrist = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)/q6;
     /* the three lines S_i in the platform frame (27) [m³] */
-    const double tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1;
+    const double tilt = tilt_part1 + tilt_part2 + tilt_part3;
     const double x18 = SQRT3_2*tilt;
     const double x19 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)));
     /* orientation: the moments of B_iD_i about C are coplanar (27) [m³] */
@@ -5616,7 +5665,8 @@ KLEINFORM_BODY void survey_body(
     double *RESTRICT out_central_scale,
     double *RESTRICT out_wrist_scale,
     double *RESTRICT out_extension_scale,
-    double *RESTRICT out_orientation_scale)
+    double *RESTRICT out_orientation_scale,
+    double *RESTRICT out_incidence)
 {
     const double a = in_a[0];
     const double c_x = in_c[0];
@@ -5750,13 +5800,25 @@ KLEINFORM_BODY void survey_body(
     const double x30 = l3*x29;
     /* Klein form of S_i and the actuated screw (15), (23) [1] */
     const double limb3 = -x21*x30;
+    /* sigma of the limbs beside 1 [m²] */
+    const double sigma_pair1 = sigma2*sigma3;
+    /* term 1 of tilt (27) [m³] */
+    const double tilt_part1 = sigma_pair1*tau1;
+    /* sigma of the limbs beside 2 [m²] */
+    const double sigma_pair2 = sigma1*sigma3;
+    /* term 2 of tilt (27) [m³] */
+    const double tilt_part2 = sigma_pair2*tau2;
+    /* sigma of the limbs beside 3 [m²] */
+    const double sigma_pair3 = sigma1*sigma2;
+    /* term 3 of tilt (27) [m³] */
+    const double tilt_part3 = sigma_pair3*tau3;
     /* central limb: q6² cos q5 (26) [m²] */
     const double central = q6*r;
     const double x31 = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z);
     /* wrist: the central limb in the platform's plane (26), (27) [1] */
     const double wrist = x31/q6;
     /* the three lines S_i in the platform frame (27) [m³] */
-    const double tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1;
+    const double tilt = tilt_part1 + tilt_part2 + tilt_part3;
     const double x32 = SQRT3_2*tilt;
     const double x33 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)));
     /* orientation: the moments of B_iD_i about C are coplanar (27) [m³] */
@@ -5818,6 +5880,9 @@ KLEINFORM_BODY void survey_body(
     out_extension_scale[stride] = e_scale2;
     out_extension_scale[2 * stride] = e_scale3;
     out_orientation_scale[0] = orientation_scale;
+    out_incidence[0] = n1_x;
+    out_incidence[stride] = p2;
+    out_incidence[2 * stride] = p3;
 }
 
 KLEINFORM_API void kleinform_survey(
@@ -5836,9 +5901,10 @@ KLEINFORM_API void kleinform_survey(
     double *out_central_scale,
     double *out_wrist_scale,
     double out_extension_scale[3],
-    double *out_orientation_scale)
+    double *out_orientation_scale,
+    double out_incidence[3])
 {
-    survey_body(1, &in_a, in_c, in_R, out_joints, out_extension, out_inverse_determinant, out_direct_determinant, out_limb, out_central, out_wrist, out_orientation, out_limb_scale, out_central_scale, out_wrist_scale, out_extension_scale, out_orientation_scale);
+    survey_body(1, &in_a, in_c, in_R, out_joints, out_extension, out_inverse_determinant, out_direct_determinant, out_limb, out_central, out_wrist, out_orientation, out_limb_scale, out_central_scale, out_wrist_scale, out_extension_scale, out_orientation_scale, out_incidence);
 }
 
 KLEINFORM_BODY void direct_locus_body(
@@ -6115,11 +6181,23 @@ KLEINFORM_BODY void orientation_locus_body(
     const double x29 = SQRT3_2*m3_x - x28;
     /* p_i² times the part of B_iD_i normal to the platform [m] */
     const double sigma3 = gt3*m3_z - gz3*x29;
-    const double x30 = sigma2*tau3;
-    const double x31 = sigma3*tau2;
-    const double x32 = sigma3*tau1;
+    const double x30 = sigma2*sigma3;
+    /* sigma of the limbs beside 1 [m²] */
+    const double sigma_pair1 = x30;
+    /* term 1 of tilt (27) [m³] */
+    const double tilt_part1 = sigma_pair1*tau1;
+    const double x31 = sigma1*sigma3;
+    /* sigma of the limbs beside 2 [m²] */
+    const double sigma_pair2 = x31;
+    /* term 2 of tilt (27) [m³] */
+    const double tilt_part2 = sigma_pair2*tau2;
+    const double x32 = sigma1*sigma2;
+    /* sigma of the limbs beside 3 [m²] */
+    const double sigma_pair3 = x32;
+    /* term 3 of tilt (27) [m³] */
+    const double tilt_part3 = sigma_pair3*tau3;
     /* the three lines S_i in the platform frame (27) [m³] */
-    const double tilt = sigma1*x30 + sigma1*x31 + sigma2*x32;
+    const double tilt = tilt_part1 + tilt_part2 + tilt_part3;
     /* derivative of tau_1 by the position [1] */
     const double tau_shift1_x = -m1_x;
     const double tau_shift1_y = -n1_x*nu_z;
@@ -6201,20 +6279,17 @@ KLEINFORM_BODY void orientation_locus_body(
     const double sigma_turn3_x = SQRT3_2*x53 + SQRT3_2*x55 + p3*(-lever3_y*m3_z + lever3_z*m3_y);
     const double sigma_turn3_y = p3*(lever3_x*m3_z - lever3_z*m3_x) - 0.5*x53 - 0.5*x55;
     const double sigma_turn3_z = -h3*x27 + p3*(-lever3_x*m3_y + lever3_y*m3_x) + x52*x54;
-    const double x56 = sigma1*sigma2;
-    const double x57 = sigma1*sigma3;
-    const double x58 = sigma2*sigma3;
-    const double x59 = x30 + x31;
-    const double x60 = sigma1*tau3 + x32;
-    const double x61 = sigma1*tau2 + sigma2*tau1;
+    const double x56 = sigma2*tau3 + sigma3*tau2;
+    const double x57 = sigma1*tau3 + sigma3*tau1;
+    const double x58 = sigma1*tau2 + sigma2*tau1;
     /* derivative of theta by a turn of the platform (27) [m³] */
-    const double tilt_turn_x = sigma_turn1_x*x59 + sigma_turn2_x*x60 + sigma_turn3_x*x61 + tau_turn1_x*x58 + tau_turn2_x*x57 + tau_turn3_x*x56;
-    const double tilt_turn_y = sigma_turn1_y*x59 + sigma_turn2_y*x60 + sigma_turn3_y*x61 + tau_turn1_y*x58 + tau_turn2_y*x57 + tau_turn3_y*x56;
-    const double tilt_turn_z = sigma_turn1_z*x59 + sigma_turn2_z*x60 + sigma_turn3_z*x61 + tau_turn1_z*x58 + tau_turn2_z*x57 + tau_turn3_z*x56;
+    const double tilt_turn_x = sigma_turn1_x*x56 + sigma_turn2_x*x57 + sigma_turn3_x*x58 + tau_turn1_x*x30 + tau_turn2_x*x31 + tau_turn3_x*x32;
+    const double tilt_turn_y = sigma_turn1_y*x56 + sigma_turn2_y*x57 + sigma_turn3_y*x58 + tau_turn1_y*x30 + tau_turn2_y*x31 + tau_turn3_y*x32;
+    const double tilt_turn_z = sigma_turn1_z*x56 + sigma_turn2_z*x57 + sigma_turn3_z*x58 + tau_turn1_z*x30 + tau_turn2_z*x31 + tau_turn3_z*x32;
     /* derivative of theta by the position (27) [m²] */
-    const double tilt_shift_x = sigma_shift1_x*x59 + sigma_shift2_x*x60 + sigma_shift3_x*x61 + tau_shift1_x*x58 + tau_shift2_x*x57 + tau_shift3_x*x56;
-    const double tilt_shift_y = sigma_shift1_y*x59 + sigma_shift2_y*x60 + sigma_shift3_y*x61 + tau_shift1_y*x58 + tau_shift2_y*x57 + tau_shift3_y*x56;
-    const double tilt_shift_z = sigma_shift1_z*x59 + sigma_shift2_z*x60 + sigma_shift3_z*x61 + tau_shift1_z*x58 + tau_shift2_z*x57 + tau_shift3_z*x56;
+    const double tilt_shift_x = sigma_shift1_x*x56 + sigma_shift2_x*x57 + sigma_shift3_x*x58 + tau_shift1_x*x30 + tau_shift2_x*x31 + tau_shift3_x*x32;
+    const double tilt_shift_y = sigma_shift1_y*x56 + sigma_shift2_y*x57 + sigma_shift3_y*x58 + tau_shift1_y*x30 + tau_shift2_y*x31 + tau_shift3_y*x32;
+    const double tilt_shift_z = sigma_shift1_z*x56 + sigma_shift2_z*x57 + sigma_shift3_z*x58 + tau_shift1_z*x30 + tau_shift2_z*x31 + tau_shift3_z*x32;
     out_value[0] = tilt;
     out_by_turn[0] = tilt_turn_x;
     out_by_turn[stride] = tilt_turn_y;

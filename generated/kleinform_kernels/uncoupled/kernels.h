@@ -649,7 +649,8 @@ KLEINFORM_API void kleinform_direct_singularity(
    out_central_scale: scale of central [m²]
    out_wrist_scale: scale of wrist [1]
    out_extension_scale[3]: scales of the e_i [m]
-   out_orientation_scale: scale of orientation [m³] */
+   out_orientation_scale: scale of orientation [m³]
+   out_incidence[3]: n_i·u_i [1] */
 KLEINFORM_API void kleinform_survey(
     double in_a,
     const double in_c[3],
@@ -666,7 +667,8 @@ KLEINFORM_API void kleinform_survey(
     double *out_central_scale,
     double *out_wrist_scale,
     double out_extension_scale[3],
-    double *out_orientation_scale);
+    double *out_orientation_scale,
+    double out_incidence[3]);
 
 /* The cubic in c on which `orientation` vanishes, at one orientation of the platform: √3/2 times its value is (p_1 p_2 p_3)² orientation.
    Equations (27) of the paper; base frame.

@@ -3238,7 +3238,7 @@ def forward_velocity(a: Nested, c: Nested, R: Nested, heading: Nested, rates: Ne
     """Twist from the joint rates, and the determinant of its 3×3 with its factors.
 
     Equations (12), (17) of the paper; base frame.
-    366 operations.
+    369 operations.
 
     Parameters
     ----------
@@ -3388,11 +3388,23 @@ def forward_velocity(a: Nested, c: Nested, R: Nested, heading: Nested, rates: Ne
     sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
     # p_i² times the distance from B_i to D_i [m]
     rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
-    x21 = sigma2*tau3
-    x22 = sigma3*tau2
-    x23 = sigma3*tau1
+    x21 = sigma2*sigma3
+    # sigma of the limbs beside 1 [m²]
+    sigma_pair1 = x21
+    # term 1 of tilt (27) [m³]
+    tilt_part1 = sigma_pair1*tau1
+    x22 = sigma1*sigma3
+    # sigma of the limbs beside 2 [m²]
+    sigma_pair2 = x22
+    # term 2 of tilt (27) [m³]
+    tilt_part2 = sigma_pair2*tau2
+    x23 = sigma1*sigma2
+    # sigma of the limbs beside 3 [m²]
+    sigma_pair3 = x23
+    # term 3 of tilt (27) [m³]
+    tilt_part3 = sigma_pair3*tau3
     # the three lines S_i in the platform frame (27) [m³]
-    tilt = sigma1*x21 + sigma1*x22 + sigma2*x23
+    tilt = tilt_part1 + tilt_part2 + tilt_part3
     x24 = SQRT3_2*tilt
     x25 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
     # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
@@ -3424,28 +3436,28 @@ def forward_velocity(a: Nested, c: Nested, R: Nested, heading: Nested, rates: Ne
     v_x = axis_y*x36 - c_y*dq4 + dq6*lambda_x
     v_y = -axis_x*x36 + c_x*dq4 + dq6*lambda_y
     v_z = dq5*(axis_x*c_y - axis_y*c_x) + dq6*lambda_z
-    x37 = nu_y*sigma1
-    x38 = nu_z*sigma1
     # what limb 1 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
-    drive1 = n1_x*(-dq1*l1*x27 - v_x*(m1_x*tau1 + nu_x*sigma1) - v_y*(m1_y*tau1 + x37) - v_z*(m1_z*tau1 + x38))/h1
-    x39 = nu_y*sigma2
-    x40 = nu_z*sigma2
+    drive1 = n1_x*(-dq1*l1*x27 - v_x*(m1_x*tau1 + nu_x*sigma1) - v_y*(m1_y*tau1 + nu_y*sigma1) - v_z*(m1_z*tau1 + nu_z*sigma1))/h1
     # what limb 2 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
-    drive2 = p2*(-dq2*l2*x28 - v_x*(m2_x*tau2 + nu_x*sigma2) - v_y*(m2_y*tau2 + x39) - v_z*(m2_z*tau2 + x40))/h2
+    drive2 = p2*(-dq2*l2*x28 - v_x*(m2_x*tau2 + nu_x*sigma2) - v_y*(m2_y*tau2 + nu_y*sigma2) - v_z*(m2_z*tau2 + nu_z*sigma2))/h2
     # what limb 3 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
     drive3 = p3*(-dq3*l3*x29 - v_x*(m3_x*tau3 + nu_x*sigma3) - v_y*(m3_y*tau3 + nu_y*sigma3) - v_z*(m3_z*tau3 + nu_z*sigma3))/h3
-    x41 = sigma3*x20
-    x42 = n1_x*sigma1
-    x43 = sigma2*tau1
-    x44 = mpf(4)/3*SQRT3_2/tilt
+    x37 = n3_x*sigma3
+    x38 = n2_x*sigma2
+    x39 = n1_x*sigma1
+    x40 = mpf(4)/3*SQRT3_2/tilt
     # angular velocity (17) [rad/s]
-    omega_x = x44*(drive1*(-n2_x*x21 + n3_x*x22 + sigma2*x41) + drive2*(-n3_x*x23 + sigma1*x41 + tau3*x42) + drive3*(n2_x*x43 + sigma1*sigma2*x20 - tau2*x42))
-    x45 = SQRT3_2*sigma3
-    x46 = n1_y*sigma1
-    x47 = SQRT3_2*sigma2
-    omega_y = x44*(drive1*(-n2_y*x21 + n3_y*x22 + x39*x45) + drive2*(-n3_y*x23 + tau3*x46 + x37*x45) + drive3*(n2_y*x43 - tau2*x46 + x37*x47))
+    omega_x = x40*(drive1*(tau2*x37 - tau3*x38 + x20*x21) + drive2*(-tau1*x37 + tau3*x39 + x20*x22) + drive3*(tau1*x38 - tau2*x39 + x20*x23))
+    x41 = n3_y*sigma3
+    x42 = n2_y*sigma2
+    x43 = SQRT3_2*nu_y
+    x44 = n1_y*sigma1
+    omega_y = x40*(drive1*(tau2*x41 - tau3*x42 + x21*x43) + drive2*(-tau1*x41 + tau3*x44 + x22*x43) + drive3*(tau1*x42 - tau2*x44 + x23*x43))
+    x45 = n3_z*sigma3
+    x46 = n2_z*sigma2
+    x47 = SQRT3_2*nu_z
     x48 = n1_z*sigma1
-    omega_z = x44*(drive1*(-n2_z*x21 + n3_z*x22 + x40*x45) + drive2*(-n3_z*x23 + tau3*x48 + x38*x45) + drive3*(n2_z*x43 - tau2*x48 + x38*x47))
+    omega_z = x40*(drive1*(tau2*x45 - tau3*x46 + x21*x47) + drive2*(-tau1*x45 + tau3*x48 + x22*x47) + drive3*(tau1*x46 - tau2*x48 + x23*x47))
     return ForwardVelocity(
         [omega_x, omega_y, omega_z, v_x, v_y, v_z],
         det_moments,
@@ -4009,7 +4021,7 @@ def actuator_forces(a: Nested, c: Nested, R: Nested, heading: Nested, wrench: Ne
     """Forces of the actuators from the wrench that the platform exerts.
 
     Equations (16), (17), by duality of the paper; base frame.
-    372 operations.
+    374 operations.
 
     Parameters
     ----------
@@ -4186,51 +4198,64 @@ def actuator_forces(a: Nested, c: Nested, R: Nested, heading: Nested, wrench: Ne
     x31 = absolute(p3)
     # Klein form of S_i and the actuated screw (15), (23) [1]
     limb3 = -l3*x30*x31
-    x32 = sigma2*tau3
-    x33 = sigma3*tau2
-    x34 = sigma3*tau1
+    x32 = sigma2*sigma3
+    # sigma of the limbs beside 1 [m²]
+    sigma_pair1 = x32
+    # term 1 of tilt (27) [m³]
+    tilt_part1 = sigma_pair1*tau1
+    # sigma of the limbs beside 2 [m²]
+    sigma_pair2 = sigma1*sigma3
+    # term 2 of tilt (27) [m³]
+    tilt_part2 = sigma_pair2*tau2
+    # sigma of the limbs beside 3 [m²]
+    sigma_pair3 = sigma1*sigma2
+    # term 3 of tilt (27) [m³]
+    tilt_part3 = sigma_pair3*tau3
     # the three lines S_i in the platform frame (27) [m³]
-    tilt = sigma1*x32 + sigma1*x33 + sigma2*x34
-    x35 = SQRT3_2/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
+    tilt = tilt_part1 + tilt_part2 + tilt_part3
+    x33 = SQRT3_2/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
     # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
-    orientation = tilt*x35
+    orientation = tilt*x33
     # largest length in a leg's equations [m]
     reach = a + 2.0*q6
-    x36 = a + q6
+    x34 = a + q6
     # scale of e1 [m]
-    e_scale1 = x36/x23
+    e_scale1 = x34/x23
     # scale of e2 [m]
-    e_scale2 = x36/x29
+    e_scale2 = x34/x29
     # scale of e3 [m]
-    e_scale3 = x36/x31
-    x37 = absolute(sigma1)
-    x38 = absolute(sigma2)
-    x39 = absolute(sigma3)
-    x40 = absolute(tau2)
-    x41 = absolute(tau3)
-    x42 = absolute(tau1)
+    e_scale3 = x34/x31
+    x35 = absolute(sigma1)
+    x36 = absolute(sigma2)
+    x37 = absolute(sigma3)
+    x38 = absolute(tau2)
+    x39 = absolute(tau3)
+    x40 = absolute(tau1)
     # scale of the orientation factor [m³]
-    orientation_scale = reach*x35*(x37*x38 + x37*x39 + x37*x40 + x37*x41 + x38*x39 + x38*x41 + x38*x42 + x39*x40 + x39*x42)
+    orientation_scale = reach*x33*(x35*x36 + x35*x37 + x35*x38 + x35*x39 + x36*x37 + x36*x39 + x36*x40 + x37*x38 + x37*x40)
+    x41 = sigma3*tau2
+    x42 = sigma2*tau3
     x43 = SQRT3_2*sigma3
     x44 = mpf(4)/3*SQRT3_2/tilt
     # power of the moment at the omega that a drive of 1 of limb 1 alone makes (17) [N]
-    share1 = x44*(moment_x*(-n2_x*x32 + n3_x*x33 + sigma2*sigma3*x25) + moment_y*(-n2_y*x32 + n3_y*x33 + x27*x43) + moment_z*(-n2_z*x32 + n3_z*x33 + x28*x43))
+    share1 = x44*(moment_x*(-n2_x*x42 + n3_x*x41 + x25*x32) + moment_y*(-n2_y*x42 + n3_y*x41 + x27*x43) + moment_z*(-n2_z*x42 + n3_z*x41 + x28*x43))
     # force along S_1 (17) [N]
     load1 = rho1*share1/e1
     # force of the actuator of limb 1 (15) [N]
     force1 = limb1*load1
     x45 = sigma1*tau3
+    x46 = sigma3*tau1
     # power of the moment at the omega that a drive of 1 of limb 2 alone makes (17) [N]
-    share2 = x44*(moment_x*(n1_x*x45 - n3_x*x34 + x20*x43) + moment_y*(n1_y*x45 - n3_y*x34 + x21*x43) + moment_z*(n1_z*x45 - n3_z*x34 + x22*x43))
+    share2 = x44*(moment_x*(n1_x*x45 - n3_x*x46 + x20*x43) + moment_y*(n1_y*x45 - n3_y*x46 + x21*x43) + moment_z*(n1_z*x45 - n3_z*x46 + x22*x43))
     # force along S_2 (17) [N]
     load2 = rho2*share2/e2
     # force of the actuator of limb 2 (15) [N]
     force2 = limb2*load2
-    x46 = sigma2*tau1
-    x47 = sigma1*tau2
-    x48 = SQRT3_2*sigma2
+    x47 = sigma2*tau1
+    x48 = sigma1*tau2
+    x49 = SQRT3_2*sigma2
     # power of the moment at the omega that a drive of 1 of limb 3 alone makes (17) [N]
-    share3 = x44*(moment_x*(-n1_x*x47 + n2_x*x46 + x20*x48) + moment_y*(-n1_y*x47 + n2_y*x46 + x21*x48) + moment_z*(-n1_z*x47 + n2_z*x46 + x22*x48))
+    share3 = x44*(moment_x*(-n1_x*x48 + n2_x*x47 + x20*x49) + moment_y*(-n1_y*x48 + n2_y*x47 + x21*x49) + moment_z*(-n1_z*x48 + n2_z*x47 + x22*x49))
     # force along S_3 (17) [N]
     load3 = rho3*share3/e3
     # force of the actuator of limb 3 (15) [N]
@@ -4539,7 +4564,7 @@ def forward_acceleration(a: Nested, c: Nested, R: Nested, heading: Nested, rates
     """Twist and its derivative from the joint rates and accelerations.
 
     Equations (12), (17), differentiated of the paper; base frame.
-    631 operations.
+    634 operations.
 
     Parameters
     ----------
@@ -4703,11 +4728,23 @@ def forward_acceleration(a: Nested, c: Nested, R: Nested, heading: Nested, rates
     tau3 = -gt3*nu_z + gz3*(-x29 + x30)
     # p_i² times the part of B_iD_i normal to the platform [m]
     sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
-    x31 = sigma2*tau3
-    x32 = sigma3*tau2
-    x33 = sigma3*tau1
+    x31 = sigma2*sigma3
+    # sigma of the limbs beside 1 [m²]
+    sigma_pair1 = x31
+    # term 1 of tilt (27) [m³]
+    tilt_part1 = sigma_pair1*tau1
+    x32 = sigma1*sigma3
+    # sigma of the limbs beside 2 [m²]
+    sigma_pair2 = x32
+    # term 2 of tilt (27) [m³]
+    tilt_part2 = sigma_pair2*tau2
+    x33 = sigma1*sigma2
+    # sigma of the limbs beside 3 [m²]
+    sigma_pair3 = x33
+    # term 3 of tilt (27) [m³]
+    tilt_part3 = sigma_pair3*tau3
     # the three lines S_i in the platform frame (27) [m³]
-    tilt = sigma1*x31 + sigma1*x32 + sigma2*x33
+    tilt = tilt_part1 + tilt_part2 + tilt_part3
     x34 = 1.0/((n1_x*n1_x))
     x35 = 1.0/((p2*p2))
     x36 = 1.0/((p3*p3))
@@ -4744,50 +4781,50 @@ def forward_acceleration(a: Nested, c: Nested, R: Nested, heading: Nested, rates
     v_z = dq5*x51 + x50
     x52 = l1*x15
     x53 = m1_x*tau1 + nu_x*sigma1
-    x54 = nu_y*sigma1
-    x55 = m1_y*tau1 + x54
-    x56 = nu_z*sigma1
-    x57 = m1_z*tau1 + x56
-    x58 = n1_x/h1
+    x54 = m1_y*tau1 + nu_y*sigma1
+    x55 = m1_z*tau1 + nu_z*sigma1
+    x56 = n1_x/h1
     # what limb 1 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
-    drive1 = x58*(-dq1*x52 - v_x*x53 - v_y*x55 - v_z*x57)
-    x59 = l2*x23
-    x60 = m2_x*tau2 + nu_x*sigma2
-    x61 = nu_y*sigma2
-    x62 = m2_y*tau2 + x61
-    x63 = nu_z*sigma2
-    x64 = m2_z*tau2 + x63
-    x65 = p2/h2
+    drive1 = x56*(-dq1*x52 - v_x*x53 - v_y*x54 - v_z*x55)
+    x57 = l2*x23
+    x58 = m2_x*tau2 + nu_x*sigma2
+    x59 = m2_y*tau2 + nu_y*sigma2
+    x60 = m2_z*tau2 + nu_z*sigma2
+    x61 = p2/h2
     # what limb 2 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
-    drive2 = x65*(-dq2*x59 - v_x*x60 - v_y*x62 - v_z*x64)
-    x66 = l3*x26
-    x67 = m3_x*tau3 + nu_x*sigma3
-    x68 = m3_y*tau3 + nu_y*sigma3
-    x69 = m3_z*tau3 + nu_z*sigma3
-    x70 = p3/h3
+    drive2 = x61*(-dq2*x57 - v_x*x58 - v_y*x59 - v_z*x60)
+    x62 = l3*x26
+    x63 = m3_x*tau3 + nu_x*sigma3
+    x64 = m3_y*tau3 + nu_y*sigma3
+    x65 = m3_z*tau3 + nu_z*sigma3
+    x66 = p3/h3
     # what limb 3 asks of omega: (τ_i ν − σ_i m_i)·omega (15) [m/s]
-    drive3 = x70*(-dq3*x66 - v_x*x67 - v_y*x68 - v_z*x69)
-    x71 = sigma3*x30
-    x72 = -n2_x*x31 + n3_x*x32 + sigma2*x71
-    x73 = n1_x*sigma1
-    x74 = -n3_x*x33 + sigma1*x71 + tau3*x73
-    x75 = sigma2*tau1
-    x76 = n2_x*x75 + sigma1*sigma2*x30 - tau2*x73
-    x77 = mpf(4)/3*SQRT3_2/tilt
+    drive3 = x66*(-dq3*x62 - v_x*x63 - v_y*x64 - v_z*x65)
+    x67 = n3_x*sigma3
+    x68 = n2_x*sigma2
+    x69 = tau2*x67 - tau3*x68 + x30*x31
+    x70 = n1_x*sigma1
+    x71 = -tau1*x67 + tau3*x70 + x30*x32
+    x72 = tau1*x68 - tau2*x70 + x30*x33
+    x73 = mpf(4)/3*SQRT3_2/tilt
     # angular velocity (17) [rad/s]
-    omega_x = x77*(drive1*x72 + drive2*x74 + drive3*x76)
-    x78 = SQRT3_2*sigma3
-    x79 = -n2_y*x31 + n3_y*x32 + x61*x78
-    x80 = n1_y*sigma1
-    x81 = -n3_y*x33 + tau3*x80 + x54*x78
-    x82 = SQRT3_2*sigma2
-    x83 = n2_y*x75 - tau2*x80 + x54*x82
-    omega_y = x77*(drive1*x79 + drive2*x81 + drive3*x83)
-    x84 = -n2_z*x31 + n3_z*x32 + x63*x78
+    omega_x = x73*(drive1*x69 + drive2*x71 + drive3*x72)
+    x74 = n3_y*sigma3
+    x75 = n2_y*sigma2
+    x76 = SQRT3_2*nu_y
+    x77 = tau2*x74 - tau3*x75 + x31*x76
+    x78 = n1_y*sigma1
+    x79 = -tau1*x74 + tau3*x78 + x32*x76
+    x80 = tau1*x75 - tau2*x78 + x33*x76
+    omega_y = x73*(drive1*x77 + drive2*x79 + drive3*x80)
+    x81 = n3_z*sigma3
+    x82 = n2_z*sigma2
+    x83 = SQRT3_2*nu_z
+    x84 = tau2*x81 - tau3*x82 + x31*x83
     x85 = n1_z*sigma1
-    x86 = -n3_z*x33 + tau3*x85 + x56*x78
-    x87 = n2_z*x75 - tau2*x85 + x56*x82
-    omega_z = x77*(drive1*x84 + drive2*x86 + drive3*x87)
+    x86 = -tau1*x81 + tau3*x85 + x32*x83
+    x87 = tau1*x82 - tau2*x85 + x33*x83
+    omega_z = x73*(drive1*x84 + drive2*x86 + drive3*x87)
     x88 = c_z*ddq5
     x89 = dq5*v_z
     x90 = dq6*x13
@@ -4806,9 +4843,9 @@ def forward_acceleration(a: Nested, c: Nested, R: Nested, heading: Nested, rates
     x94 = -n1_x*omega_y + n1_y*omega_x
     db1_z = de1*n1_z + e1*x94 + v_z
     # the part of the acceleration of an outer limb that the rates alone make (6) [m/s²]
-    bias1 = ((db1_x*db1_x) + (db1_y*db1_y) + (db1_z*db1_z) - (dq1*dq1) - x34*(2.0*de1*(x53*x91 + x55*x93 + x57*x94) + e1*(n1_x*omega_x + n1_y*omega_y + n1_z*omega_z)*(omega_x*x53 + omega_y*x55 + omega_z*x57)))/q1
+    bias1 = ((db1_x*db1_x) + (db1_y*db1_y) + (db1_z*db1_z) - (dq1*dq1) - x34*(2.0*de1*(x53*x91 + x54*x93 + x55*x94) + e1*(n1_x*omega_x + n1_y*omega_y + n1_z*omega_z)*(omega_x*x53 + omega_y*x54 + omega_z*x55)))/q1
     # what limb 1 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²]
-    ddrive1 = x58*(-dv_x*x53 - dv_y*x55 - dv_z*x57 - x52*(-bias1 + ddq1))
+    ddrive1 = x56*(-dv_x*x53 - dv_y*x54 - dv_z*x55 - x52*(-bias1 + ddq1))
     x95 = SQRT3_2*v_y
     x96 = n2_x*omega_z - n2_z*omega_x
     # rate of e_i (4) [m/s]
@@ -4820,9 +4857,9 @@ def forward_acceleration(a: Nested, c: Nested, R: Nested, heading: Nested, rates
     x98 = -n2_x*omega_y + n2_y*omega_x
     db2_z = de2*n2_z + e2*x98 + v_z
     # the part of the acceleration of an outer limb that the rates alone make (6) [m/s²]
-    bias2 = ((db2_x*db2_x) + (db2_y*db2_y) + (db2_z*db2_z) - (dq2*dq2) - x35*(2.0*de2*(x60*x97 + x62*x96 + x64*x98) + e2*(n2_x*omega_x + n2_y*omega_y + n2_z*omega_z)*(omega_x*x60 + omega_y*x62 + omega_z*x64)))/q2
+    bias2 = ((db2_x*db2_x) + (db2_y*db2_y) + (db2_z*db2_z) - (dq2*dq2) - x35*(2.0*de2*(x58*x97 + x59*x96 + x60*x98) + e2*(n2_x*omega_x + n2_y*omega_y + n2_z*omega_z)*(omega_x*x58 + omega_y*x59 + omega_z*x60)))/q2
     # what limb 2 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²]
-    ddrive2 = x65*(-dv_x*x60 - dv_y*x62 - dv_z*x64 - x59*(-bias2 + ddq2))
+    ddrive2 = x61*(-dv_x*x58 - dv_y*x59 - dv_z*x60 - x57*(-bias2 + ddq2))
     x99 = n3_x*omega_z - n3_z*omega_x
     # rate of e_i (4) [m/s]
     de3 = x25*(-e3*(-SQRT3_2*x99 + mpf(1)/2*n3_y*omega_z - mpf(1)/2*n3_z*omega_y) + mpf(1)/2*v_x + x95)
@@ -4833,13 +4870,13 @@ def forward_acceleration(a: Nested, c: Nested, R: Nested, heading: Nested, rates
     x101 = -n3_x*omega_y + n3_y*omega_x
     db3_z = de3*n3_z + e3*x101 + v_z
     # the part of the acceleration of an outer limb that the rates alone make (6) [m/s²]
-    bias3 = ((db3_x*db3_x) + (db3_y*db3_y) + (db3_z*db3_z) - (dq3*dq3) - x36*(2.0*de3*(x100*x67 + x101*x69 + x68*x99) + e3*(n3_x*omega_x + n3_y*omega_y + n3_z*omega_z)*(omega_x*x67 + omega_y*x68 + omega_z*x69)))/q3
+    bias3 = ((db3_x*db3_x) + (db3_y*db3_y) + (db3_z*db3_z) - (dq3*dq3) - x36*(2.0*de3*(x100*x63 + x101*x65 + x64*x99) + e3*(n3_x*omega_x + n3_y*omega_y + n3_z*omega_z)*(omega_x*x63 + omega_y*x64 + omega_z*x65)))/q3
     # what limb 3 asks of d omega/dt: (τ_i ν − σ_i m_i)·d omega/dt (15) [m/s²]
-    ddrive3 = x70*(-dv_x*x67 - dv_y*x68 - dv_z*x69 - x66*(-bias3 + ddq3))
+    ddrive3 = x66*(-dv_x*x63 - dv_y*x64 - dv_z*x65 - x62*(-bias3 + ddq3))
     # angular acceleration (17) [rad/s²]
-    domega_x = x77*(ddrive1*x72 + ddrive2*x74 + ddrive3*x76)
-    domega_y = x77*(ddrive1*x79 + ddrive2*x81 + ddrive3*x83)
-    domega_z = x77*(ddrive1*x84 + ddrive2*x86 + ddrive3*x87)
+    domega_x = x73*(ddrive1*x69 + ddrive2*x71 + ddrive3*x72)
+    domega_y = x73*(ddrive1*x77 + ddrive2*x79 + ddrive3*x80)
+    domega_z = x73*(ddrive1*x84 + ddrive2*x86 + ddrive3*x87)
     return ForwardAcceleration(
         [omega_x, omega_y, omega_z, v_x, v_y, v_z],
         [domega_x, domega_y, domega_z, dv_x, dv_y, dv_z],
@@ -5157,10 +5194,22 @@ def direct_singularity(a: Nested, c: Nested, R: Nested) -> DirectSingularity:
     sigma3 = gt3*m3_z - gz3*(SQRT3_2*m3_x - mpf(1)/2*m3_y)
     # p_i² times the distance from B_i to D_i [m]
     rho3 = sqrt((sigma3*sigma3) + (tau3*tau3))
+    # sigma of the limbs beside 1 [m²]
+    sigma_pair1 = sigma2*sigma3
+    # term 1 of tilt (27) [m³]
+    tilt_part1 = sigma_pair1*tau1
+    # sigma of the limbs beside 2 [m²]
+    sigma_pair2 = sigma1*sigma3
+    # term 2 of tilt (27) [m³]
+    tilt_part2 = sigma_pair2*tau2
+    # sigma of the limbs beside 3 [m²]
+    sigma_pair3 = sigma1*sigma2
+    # term 3 of tilt (27) [m³]
+    tilt_part3 = sigma_pair3*tau3
     # wrist: the central limb in the platform's plane (26), (27) [1]
     wrist = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)/q6
     # the three lines S_i in the platform frame (27) [m³]
-    tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1
+    tilt = tilt_part1 + tilt_part2 + tilt_part3
     x18 = SQRT3_2*tilt
     x19 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
     # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
@@ -5213,6 +5262,7 @@ class Survey(NamedTuple):
     wrist_scale: Nested
     extension_scale: Nested
     orientation_scale: Nested
+    incidence: Nested
 
 
 def survey(a: Nested, c: Nested, R: Nested) -> Survey:
@@ -5258,6 +5308,8 @@ def survey(a: Nested, c: Nested, R: Nested) -> Survey:
         scales of the e_i [m]
     orientation_scale : nested list (...)
         scale of orientation [m³]
+    incidence : nested list (..., 3)
+        n_i·u_i [1]
     """
     SQRT3_2 = sqrt(mpf(3)) / 2
     a = _exact(a)
@@ -5384,13 +5436,25 @@ def survey(a: Nested, c: Nested, R: Nested) -> Survey:
     x30 = l3*x29
     # Klein form of S_i and the actuated screw (15), (23) [1]
     limb3 = -x21*x30
+    # sigma of the limbs beside 1 [m²]
+    sigma_pair1 = sigma2*sigma3
+    # term 1 of tilt (27) [m³]
+    tilt_part1 = sigma_pair1*tau1
+    # sigma of the limbs beside 2 [m²]
+    sigma_pair2 = sigma1*sigma3
+    # term 2 of tilt (27) [m³]
+    tilt_part2 = sigma_pair2*tau2
+    # sigma of the limbs beside 3 [m²]
+    sigma_pair3 = sigma1*sigma2
+    # term 3 of tilt (27) [m³]
+    tilt_part3 = sigma_pair3*tau3
     # central limb: q6² cos q5 (26) [m²]
     central = q6*r
     x31 = SQRT3_2*(c_x*nu_x + c_y*nu_y + c_z*nu_z)
     # wrist: the central limb in the platform's plane (26), (27) [1]
     wrist = x31/q6
     # the three lines S_i in the platform frame (27) [m³]
-    tilt = sigma1*sigma2*tau3 + sigma1*sigma3*tau2 + sigma2*sigma3*tau1
+    tilt = tilt_part1 + tilt_part2 + tilt_part3
     x32 = SQRT3_2*tilt
     x33 = 1.0/(((n1_x*n1_x))*((p2*p2))*((p3*p3)))
     # orientation: the moments of B_iD_i about C are coplanar (27) [m³]
@@ -5440,6 +5504,7 @@ def survey(a: Nested, c: Nested, R: Nested) -> Survey:
         SQRT3_2,
         [e_scale1, e_scale2, e_scale3],
         orientation_scale,
+        [n1_x, p2, p3],
     )
 
 
@@ -5719,11 +5784,23 @@ def orientation_locus(a: Nested, c: Nested, R: Nested) -> OrientationLocus:
     x29 = SQRT3_2*m3_x - x28
     # p_i² times the part of B_iD_i normal to the platform [m]
     sigma3 = gt3*m3_z - gz3*x29
-    x30 = sigma2*tau3
-    x31 = sigma3*tau2
-    x32 = sigma3*tau1
+    x30 = sigma2*sigma3
+    # sigma of the limbs beside 1 [m²]
+    sigma_pair1 = x30
+    # term 1 of tilt (27) [m³]
+    tilt_part1 = sigma_pair1*tau1
+    x31 = sigma1*sigma3
+    # sigma of the limbs beside 2 [m²]
+    sigma_pair2 = x31
+    # term 2 of tilt (27) [m³]
+    tilt_part2 = sigma_pair2*tau2
+    x32 = sigma1*sigma2
+    # sigma of the limbs beside 3 [m²]
+    sigma_pair3 = x32
+    # term 3 of tilt (27) [m³]
+    tilt_part3 = sigma_pair3*tau3
     # the three lines S_i in the platform frame (27) [m³]
-    tilt = sigma1*x30 + sigma1*x31 + sigma2*x32
+    tilt = tilt_part1 + tilt_part2 + tilt_part3
     # derivative of tau_1 by the position [1]
     tau_shift1_x = -m1_x
     tau_shift1_y = -n1_x*nu_z
@@ -5805,20 +5882,17 @@ def orientation_locus(a: Nested, c: Nested, R: Nested) -> OrientationLocus:
     sigma_turn3_x = SQRT3_2*x53 + SQRT3_2*x55 + p3*(-lever3_y*m3_z + lever3_z*m3_y)
     sigma_turn3_y = p3*(lever3_x*m3_z - lever3_z*m3_x) - mpf(1)/2*x53 - mpf(1)/2*x55
     sigma_turn3_z = -h3*x27 + p3*(-lever3_x*m3_y + lever3_y*m3_x) + x52*x54
-    x56 = sigma1*sigma2
-    x57 = sigma1*sigma3
-    x58 = sigma2*sigma3
-    x59 = x30 + x31
-    x60 = sigma1*tau3 + x32
-    x61 = sigma1*tau2 + sigma2*tau1
+    x56 = sigma2*tau3 + sigma3*tau2
+    x57 = sigma1*tau3 + sigma3*tau1
+    x58 = sigma1*tau2 + sigma2*tau1
     # derivative of theta by a turn of the platform (27) [m³]
-    tilt_turn_x = sigma_turn1_x*x59 + sigma_turn2_x*x60 + sigma_turn3_x*x61 + tau_turn1_x*x58 + tau_turn2_x*x57 + tau_turn3_x*x56
-    tilt_turn_y = sigma_turn1_y*x59 + sigma_turn2_y*x60 + sigma_turn3_y*x61 + tau_turn1_y*x58 + tau_turn2_y*x57 + tau_turn3_y*x56
-    tilt_turn_z = sigma_turn1_z*x59 + sigma_turn2_z*x60 + sigma_turn3_z*x61 + tau_turn1_z*x58 + tau_turn2_z*x57 + tau_turn3_z*x56
+    tilt_turn_x = sigma_turn1_x*x56 + sigma_turn2_x*x57 + sigma_turn3_x*x58 + tau_turn1_x*x30 + tau_turn2_x*x31 + tau_turn3_x*x32
+    tilt_turn_y = sigma_turn1_y*x56 + sigma_turn2_y*x57 + sigma_turn3_y*x58 + tau_turn1_y*x30 + tau_turn2_y*x31 + tau_turn3_y*x32
+    tilt_turn_z = sigma_turn1_z*x56 + sigma_turn2_z*x57 + sigma_turn3_z*x58 + tau_turn1_z*x30 + tau_turn2_z*x31 + tau_turn3_z*x32
     # derivative of theta by the position (27) [m²]
-    tilt_shift_x = sigma_shift1_x*x59 + sigma_shift2_x*x60 + sigma_shift3_x*x61 + tau_shift1_x*x58 + tau_shift2_x*x57 + tau_shift3_x*x56
-    tilt_shift_y = sigma_shift1_y*x59 + sigma_shift2_y*x60 + sigma_shift3_y*x61 + tau_shift1_y*x58 + tau_shift2_y*x57 + tau_shift3_y*x56
-    tilt_shift_z = sigma_shift1_z*x59 + sigma_shift2_z*x60 + sigma_shift3_z*x61 + tau_shift1_z*x58 + tau_shift2_z*x57 + tau_shift3_z*x56
+    tilt_shift_x = sigma_shift1_x*x56 + sigma_shift2_x*x57 + sigma_shift3_x*x58 + tau_shift1_x*x30 + tau_shift2_x*x31 + tau_shift3_x*x32
+    tilt_shift_y = sigma_shift1_y*x56 + sigma_shift2_y*x57 + sigma_shift3_y*x58 + tau_shift1_y*x30 + tau_shift2_y*x31 + tau_shift3_y*x32
+    tilt_shift_z = sigma_shift1_z*x56 + sigma_shift2_z*x57 + sigma_shift3_z*x58 + tau_shift1_z*x30 + tau_shift2_z*x31 + tau_shift3_z*x32
     return OrientationLocus(
         tilt,
         [tilt_turn_x, tilt_turn_y, tilt_turn_z],

@@ -8,6 +8,7 @@ from kleinform.classification import PoseClass, name_of
 from kleinform.commands import options
 from kleinform.commands.columns import ANGLES, FACTORS, POSE, POSITION, Table
 from kleinform.commands.inverse import pose_of
+from kleinform.commands.nearness import columns
 from kleinform.commands.rows import Answer, answer_rows
 from kleinform.commands.streams import Streams
 from kleinform.manipulator import UncoupledManipulator
@@ -25,6 +26,7 @@ def classify(
     output: options.Output = None,
     format: options.Format = None,
     degrees: options.Degrees = False,
+    conditioning: options.Conditioning = False,
     errors: options.Errors = "raise",
     radius: options.Radius = 1.0,
 ) -> None:
@@ -39,6 +41,11 @@ def classify(
     or inverse, direct, combined, wrist, limb, invalid, with spaces between), limb_1, limb_2,
     limb_3 [1], central [m²], wrist [1], extension_1, extension_2, extension_3 [m], orientation
     [m³].
+
+    With --conditioning also |f|/scale of every factor, ratio_limb_1 ... ratio_leg_3 [1], and the
+    singular values moments_1 ... 3 [m], q123_by_omega_1 ... 3 [m], q123_by_velocity_1 ... 3 [1],
+    q45_by_velocity_1, 2 [1/m], omega_by_q123_1 ... 3 [1/m], velocity_by_q45_1, 2 [m], radians
+    counted as 1 also with --degrees.
 
     \b
     Examples:
@@ -59,6 +66,8 @@ def classify(
             "class": NAMES[classes.code],
             **{name: classes.survey.factors[name] for name in FACTORS},
         }
+        if conditioning:
+            answer |= columns(robot.conditioning(place, rotation, errors=errors))
         return Answer(answer, classes.code == PoseClass.INVALID)
 
     given = {"--position": (POSITION, position), "--rpy": (ANGLES, rpy)}

@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from kleinform.conditioning import SINGULAR_VALUES
 from kleinform.errors import InputError
 from kleinform.joints import TURN
 
@@ -55,6 +56,16 @@ FACTORS = (
 #: What `AssemblyModes.degenerate` names, in a form without spaces.
 DEGENERATE = ("c·u_1=a", "c·u_2=a", "c·u_3=a", "q_1=0", "q_2=0", "q_3=0", "q_6=0")
 
+#: What `kleinform.commands.nearness.columns` makes of a `Conditioning`.
+CONDITIONING_UNITS = {
+    **{f"ratio_{name}": "1" for name in (*FACTORS, "leg_1", "leg_2", "leg_3")},
+    **{
+        f"{name}_{index + 1}": unit
+        for name, (count, unit) in SINGULAR_VALUES.items()
+        for index in range(count)
+    },
+}
+
 LENGTHS_AND_ANGLES = ("m", "m", "m", "rad", "rad", "m")
 #: Angles that do not count turns.
 WITHIN_A_TURN = (*ANGLES, "q5")
@@ -70,6 +81,7 @@ UNITS = {
     **dict.fromkeys(("volume", "volume_error"), "m³"),
     **dict(zip(DETERMINANTS, ("m²", "m³"), strict=True)),
     **dict(zip(FACTORS, ("1", "1", "1", "m²", "1", "m", "m", "m", "m³"), strict=True)),
+    **CONDITIONING_UNITS,
 }
 
 

@@ -13,6 +13,7 @@ from kleinform.screening import Errors as OnErrors
 __all__ = [
     "AnswerFormat",
     "Azimuth",
+    "Conditioning",
     "Degrees",
     "Errors",
     "Format",
@@ -46,6 +47,13 @@ Orientation = Annotated[
 ]
 Azimuth = Annotated[
     float | None, typer.Option(help="q4 where C is on the Z axis, which leaves it free.")
+]
+Conditioning = Annotated[
+    bool,
+    typer.Option(
+        "--conditioning",
+        help="Also |f|/scale of every factor, and singular values of the velocity map.",
+    ),
 ]
 Input = Annotated[
     Path | None,

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.commands.columns import Table, in_degrees, in_radians
+from kleinform.commands.nearness import Nearness
 from kleinform.commands.progress import progress
 from kleinform.commands.source import Block, Given, Source, require
 from kleinform.commands.streams import Streams
@@ -31,7 +32,7 @@ def answer_rows(
     needed: Callable[[Source], Sequence[str]],
     compute: Callable[[Table], Answer],
 ) -> None:
-    """Read rows, compute in radians, write answers; say how many rows were refused.
+    """Read rows, compute in radians, write answers; say how many rows were refused or near.
 
     Parameters
     ----------
@@ -48,18 +49,21 @@ def answer_rows(
         It names the row by its place in the whole input.
     """
     count, place = 0, ""
+    near = Nearness()
     writer = streams.writer(one_answer=streams.table is None)
     with streams.source(given) as source, writer as write:
         names = needed(source)
         require(source, names)
         with progress(not streams.on_terminal) as report:
             for block in source.blocks(names):
-                answer = _answer(block, compute, streams.degrees)
+                with near.noted(block):
+                    answer = _answer(block, compute, streams.degrees)
                 write(in_degrees(answer.table) if streams.degrees else answer.table)
                 if answer.refused.any():
                     place = place or block.where(int(np.argmax(answer.refused)))
                     count += int(np.sum(answer.refused))
                 report(block.done)
+    near.tell()
     if count:
         first = f", the first at {place}" if place else ""
         print(f"kleinform: rows refused: {count}{first}", file=sys.stderr)

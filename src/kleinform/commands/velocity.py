@@ -10,6 +10,7 @@ import typer
 from kleinform.commands import options
 from kleinform.commands.columns import ANGLES, POSE, POSITION, RATES, TWIST, Table, named, stacked
 from kleinform.commands.inverse import azimuth_of, pose_of
+from kleinform.commands.nearness import columns
 from kleinform.commands.rows import Answer, answer_rows
 from kleinform.commands.source import Given, Source
 from kleinform.commands.streams import Streams
@@ -39,6 +40,7 @@ def velocity(
     output: options.Output = None,
     format: options.Format = None,
     degrees: options.Degrees = False,
+    conditioning: options.Conditioning = False,
     azimuth: options.Azimuth = None,
     errors: options.Errors = "raise",
     radius: options.Radius = 1.0,
@@ -52,11 +54,18 @@ def velocity(
 
     Columns out: the other six.
 
+    With --conditioning also |f|/scale of every factor, ratio_limb_1 ... ratio_leg_3 [1], and the
+    singular values moments_1 ... 3 [m], q123_by_omega_1 ... 3 [m], q123_by_velocity_1 ... 3 [1],
+    q45_by_velocity_1, 2 [1/m], omega_by_q123_1 ... 3 [1/m], velocity_by_q45_1, 2 [m], radians
+    counted as 1 also with --degrees.
+
     \b
     Examples:
       kleinform velocity --position 0.25 0.2 1.0 --rpy 10 3 6 --degrees \\
           --twist 0 0 5 0.2 0 0
       kleinform velocity --input twists.csv --degrees --output rates.csv
+      kleinform velocity --position 0.25 0.2 1.0 --rpy 10 3 6 --degrees \\
+          --rates 0 0 0 5 0 0 --conditioning
     """
     robot = UncoupledManipulator(radius)
     turn = azimuth_of(azimuth, degrees)
@@ -71,7 +80,10 @@ def velocity(
             result = robot.forward_velocity(
                 place, rotation, stacked(rows, RATES), azimuth=turn, errors=errors
             )
-        return Answer(named(names, result), np.isnan(result[:, 0]))
+        answer = named(names, result)
+        if conditioning:
+            answer |= columns(robot.conditioning(place, rotation, errors=errors))
+        return Answer(answer, np.isnan(result[:, 0]))
 
     given: Given = {"--position": (POSITION, position), "--rpy": (ANGLES, rpy)}
     if rates is None:

@@ -89,8 +89,8 @@ class AssemblyModes:
 
     @cached_property
     def direct_determinant(self) -> Array:
-        singularity = kernels.direct_singularity(self.radius, self.position, self.rotation)
-        return singularity.determinant
+        survey = kernels.survey(self.radius, self.position, self.rotation)
+        return survey.direct_determinant
 
     @property
     def reason(self) -> str:
@@ -172,10 +172,8 @@ class AssemblyModesBatch:
     @cached_property
     def direct_determinant(self) -> Array:
         row = np.repeat(np.arange(len(self)), self.count)
-        singularity = kernels.direct_singularity(
-            self.radius[row], self.position[row], self.rotation
-        )
-        return singularity.determinant
+        survey = kernels.survey(self.radius[row], self.position[row], self.rotation)
+        return survey.direct_determinant
 
     @property
     def count(self) -> Integers:

@@ -19,8 +19,9 @@ from kleinform.manipulator import UncoupledManipulator
 from kleinform.maps.checks import box, cells, one_radius, positions
 from kleinform.maps.cubics import DEGREES, cube, division, points_of, tensor_of
 from kleinform.maps.zeros import Triangles, zero_curves, zero_mesh
-from kleinform.results import EPS, Array
+from kleinform.results import Array
 from kleinform.screening import RotationLike, is_whole, one_rotation
+from kleinform.zero import EPS, threshold, within
 
 __all__ = [
     "DirectLocus",
@@ -234,7 +235,7 @@ class DirectLocus:
 
     def _is_zero(self, coefficients: Array) -> bool:
         """Whether coefficients for a radius of 1 are rounding."""
-        return bool((abs(coefficients) <= SIZE * self.slack).all())
+        return bool(within(coefficients, SIZE, self.slack).all())
 
     @cached_property
     def _divided(self) -> tuple[list[Array], Array]:
@@ -303,7 +304,7 @@ def direct_locus(robot: UncoupledManipulator, rotation: RotationLike) -> DirectL
     """
     turn, radius = one_rotation("rotation", rotation), one_radius(robot)
     result = kernels.direct_locus(robot.radius, turn)
-    slack = robot.rounding * EPS + SIZE * float(kernels.rotation_defect(turn).defect)
+    slack = threshold(robot.rounding) + SIZE * float(kernels.rotation_defect(turn).defect)
     return DirectLocus(radius, turn, result.coefficients, result.incidence, slack)
 
 

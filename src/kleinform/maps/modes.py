@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from kleinform.conditioning import singular_values
 from kleinform.errors import InputError, ShapeError
 from kleinform.generated import kernels
 from kleinform.manipulator import UncoupledManipulator
@@ -137,7 +138,7 @@ def conditioning(
 
     They map the angular velocity to what the outer limbs feel of it; C is moved by the
     central limb alone. The smallest is zero at a direct singularity, and the largest over the
-    smallest is a condition number.
+    smallest is a condition number. `UncoupledManipulator.conditioning` has them among others.
 
     Parameters
     ----------
@@ -163,10 +164,7 @@ def conditioning(
     pose.reject_legs(result)
     pose.screen.settle()
     # The first columns of J_v are S_1, S_2, S_3.
-    moments = np.where(pose.screen.valid[..., np.newaxis, np.newaxis], result.J_v[..., 3:, :3], 0.0)
-    values: Array = np.linalg.svd(moments, compute_uv=False)
-    values[~pose.screen.valid] = np.nan
-    return values
+    return singular_values(result.J_v[..., 3:, :3], pose.screen.valid)
 
 
 def _counts(robot: UncoupledManipulator, joints: Array) -> Counts:

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import InputError, SingularPoseError
+from kleinform.generated import kernels
 from kleinform.limits import Limits
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.maps.components import Components, components_of
@@ -20,8 +21,9 @@ from kleinform.maps.patches import extent
 from kleinform.maps.quadrics import Constraint, constraints_of, slabs_of
 from kleinform.maps.section import Section, section_of
 from kleinform.maps.volume import Volume, volume_of
-from kleinform.results import EPS
+from kleinform.pose import LIMBS, RULES
 from kleinform.screening import RotationLike, is_whole, one_rotation, real_array
+from kleinform.zero import threshold, within
 
 __all__ = ["Workspace", "constant_orientation_workspace"]
 
@@ -224,12 +226,10 @@ def constant_orientation_workspace(
             "a workspace takes ranges alone, robot.watch takes margins too"
         )
     turned = one_rotation("rotation", rotation)
-    angles = 2.0 * np.pi / 3.0 * np.arange(3)
-    axes = np.stack([np.cos(angles), np.sin(angles), 0.0 * angles])
-    incidence = (axes * (turned @ axes)).sum(axis=0)
-    for i, p in enumerate(incidence.tolist(), start=1):
-        if abs(p) <= robot.rounding * EPS:
-            raise SingularPoseError(f"n_{i}·u_{i} = 0, B_{i} is not defined; {p!r} arrived")
+    incidence = kernels.direct_locus(robot.radius, turned).incidence
+    for i in np.flatnonzero(within(incidence, 1.0, threshold(robot.rounding))):
+        p = float(incidence[i])
+        raise SingularPoseError(f"{RULES[LIMBS[i]]}; {p!r} arrived")
     return Workspace(float(robot.radius), turned.copy(), limits)
 
 

@@ -46,18 +46,27 @@ def forward_motion(
     )
     pose.reject_direct(result)
     pose.reject_overflow(result.twist_rate)
-    pose.screen.settle()
+    pose.blank()
     return PlatformStates(times, positions, rotations, result.twist, result.twist_rate)
 
 
 def inverse_motion(robot: UncoupledManipulator, states: PlatformStates) -> JointStates:
     """See `UncoupledManipulator.inverse_motion`."""
     times, positions, rotations, twists, twist_rates = _checked(states, PLATFORM_SHAPES)
-    joints = robot.inverse_displacement(positions, rotations)
+    pose = check_pose(robot, positions, rotations, "raise", twists=twists, twist_rates=twist_rates)
+    here = pose.radius, pose.position, pose.rotation
+    displaced = kernels.inverse_displacement(*here)
+    pose.reject_incidence(displaced.incidence)
+    pose.reject_axis(displaced.radial, displaced.joints[:, 5], divided=False)
+    halves = (array.reshape(-1, 2, 3) for array in (twists, twist_rates))
+    result = kernels.inverse_acceleration(*here, *halves)
+    pose.reject_inverse(result)
+    pose.reject_overflow(result.rates)
+    pose.reject_overflow(result.accelerations)
+    pose.blank()
+    joints = displaced.joints
     joints[:, 3] = unwrapped(joints[:, 3])
-    rates = robot.inverse_velocity(positions, rotations, twists)
-    accelerations = robot.inverse_acceleration(positions, rotations, twists, twist_rates)
-    return JointStates(times, joints, rates, accelerations)
+    return JointStates(times, joints, result.rates, result.accelerations)
 
 
 def _checked(states: tuple[Array, ...], shapes: Mapping[str, tuple[int, ...]]) -> list[Array]:

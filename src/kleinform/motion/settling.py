@@ -16,7 +16,7 @@ from numpy.polynomial import Chebyshev, polynomial
 from numpy.typing import NDArray
 
 from kleinform.motion.paths import RESOLUTION
-from kleinform.results import EPS
+from kleinform.zero import EPS
 
 __all__ = ["TOLD", "settled", "touched"]
 
