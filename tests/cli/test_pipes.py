@@ -139,7 +139,7 @@ def test_what_is_interrupted_leaves_nothing(tmp_path: Path, number: int) -> None
     process.stdin.write(b"x,y,z,roll,pitch,yaw\n" + 20_000 * b"0.25,0.2,1.0,0.1,0.2,0.3\n")
     process.stdin.flush()
     until = time.monotonic() + 30.0
-    while not list(tmp_path.glob(".q.csv.*/q.csv")) and time.monotonic() < until:
+    while not list(tmp_path.glob(".kleinform-*")) and time.monotonic() < until:
         time.sleep(0.05)
     process.send_signal(number)
     assert process.wait(timeout=30.0) == 128 + number

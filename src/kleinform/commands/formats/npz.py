@@ -8,7 +8,7 @@ import zipfile
 import zlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
-from pathlib import Path
+from tempfile import TemporaryFile
 from tokenize import TokenError
 from typing import IO, Any, BinaryIO
 
@@ -93,11 +93,11 @@ def _header(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
 
 
 @contextmanager
-def npz_writer(path: Path) -> Iterator[Callable[[Table], None]]:
+def npz_writer(stream: BinaryIO, folder: str | None) -> Iterator[Callable[[Table], None]]:
     """Write tables to an archive, one below the other.
 
     How many rows there are is known at the end: until then the columns grow in files of
-    their own, beside the archive.
+    their own, without names, in a folder or where the system has such files.
     """
     with ExitStack() as stack:
         columns: dict[str, tuple[IO[bytes], np.dtype[Any]]] = {}
@@ -105,13 +105,13 @@ def npz_writer(path: Path) -> Iterator[Callable[[Table], None]]:
         def write(table: Table) -> None:
             for name, column in table.items():
                 if name not in columns:
-                    file = path.with_name(f"{name}.column").open("w+b")
-                    columns[name] = stack.enter_context(file), column.dtype
+                    file = stack.enter_context(TemporaryFile(dir=folder))
+                    columns[name] = file, column.dtype
                 spool, dtype = columns[name]
                 spool.write(column.astype(dtype).tobytes())
 
         yield write
-        with zipfile.ZipFile(path, "w") as archive:
+        with zipfile.ZipFile(stream, "w") as archive:
             for name, (spool, dtype) in columns.items():
                 info = zipfile.ZipInfo(f"{name}.npy")
                 # Words are stored at the width of the longest: most of it is empty.
