@@ -10,6 +10,7 @@ import sys
 from typing import NoReturn
 
 from kleinform.errors import KleinformError
+from kleinform.standard import prepare, settle
 
 __all__ = ["main"]
 
@@ -23,14 +24,15 @@ def main() -> None:
     Exits with code 2 and one line on standard error where the command cannot do what it is
     asked to, the extra ``kleinform[cli]`` missing among the reasons.
     """
-    if sys.stdin is None or sys.stdout is None:
-        refuse("standard input and output are needed, one of them is closed")
+    prepare()
     # Ended from outside, a command takes away what it has begun to write.
     signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
     try:
         run()
     except KeyboardInterrupt:
         sys.exit(128 + signal.SIGINT)
+    finally:
+        settle()
 
 
 def run() -> NoReturn:
@@ -51,7 +53,8 @@ def run() -> NoReturn:
     except KleinformError as error:
         refuse(str(error))
     except OSError as error:
-        refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
+        # Inputs and files say their names.
+        refuse(f"{error.filename or 'standard output'}: {error.strerror or error}")
     sys.exit(code)
 
 

@@ -149,30 +149,6 @@ def test_what_is_interrupted_leaves_nothing(tmp_path: Path, number: int) -> None
     assert list(tmp_path.iterdir()) == []
 
 
-@POSIX
-@pytest.mark.parametrize("closed", ["<&-", ">&-"])
-def test_closed_standard_streams_are_one_line(closed: str) -> None:
-    ran = subprocess.run(
-        ["sh", "-c", f'"$0" -m kleinform latex {closed}', sys.executable],
-        capture_output=True,
-        check=False,
-        text=True,
-    )
-    assert ran.returncode == 2
-    assert ran.stderr.startswith("kleinform: standard input and output are needed")
-    assert ran.stderr.count("\n") == 1
-
-
-@LINUX
-def test_a_full_disk_is_one_line() -> None:
-    with Path("/dev/full").open("w") as full:
-        ran = subprocess.run(
-            [*COMMAND, "latex"], stdout=full, stderr=subprocess.PIPE, check=False, text=True
-        )
-    assert ran.returncode == 2
-    assert ran.stderr == "kleinform: [Errno 28] No space left on device\n"
-
-
 def test_importing_kleinform_imports_no_typer() -> None:
     code = "import sys, kleinform; sys.exit('typer' in sys.modules or 'rich' in sys.modules)"
     assert subprocess.run([sys.executable, "-c", code], check=False).returncode == 0
