@@ -11,6 +11,7 @@ from typing import NoReturn
 
 from kleinform.errors import KleinformError
 from kleinform.standard import prepare, settle
+from kleinform.starting import loaded
 
 __all__ = ["main"]
 
@@ -46,6 +47,7 @@ def run() -> NoReturn:
         if package not in EXTRA:
             raise
         refuse(f"{package} is missing; install the extra: pip install 'kleinform[cli]'")
+    loaded()
     try:
         code = app(sys.argv[1:] or ["--help"], prog_name="kleinform", standalone_mode=False)
     except typer.TyperException as error:
