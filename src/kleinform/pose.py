@@ -62,7 +62,7 @@ class Pose:
         """Refuse the poses at which a value is zero within its rounding."""
         if not none_zero(value, scale, self.rounding * EPS):
             zero = is_zero(value, scale, self.rounding)
-            self.screen.reject(zero, SingularPoseError, rule, value)
+            self.screen.reject(zero, SingularPoseError, rule, value, beside=scale)
 
     def reject_zeros(self, rules: tuple[str, ...], values: Array, scales: Array | float) -> None:
         """The same for values (..., 3), one a limb, each with its rule.
@@ -77,7 +77,8 @@ class Pose:
         if not zero.any():
             return
         for i, rule in enumerate(rules):
-            self.screen.reject(zero[..., i], SingularPoseError, rule, values[..., i])
+            scale = np.broadcast_to(shaped, values.shape)[..., i]
+            self.screen.reject(zero[..., i], SingularPoseError, rule, values[..., i], beside=scale)
 
     def reject_incidence(self, incidence: Array) -> None:
         """Refuse ``n_i·u_i = 0``: the line of B_i is parallel to the plane of its leg."""
@@ -108,7 +109,8 @@ class Pose:
         """Refuse what is singular no more, and still not finite: products of such numbers."""
         if not sized(result, 0.0, HUGE):
             rule = "the numbers are so large or so small that the result overflows"
-            self.screen.reject(~np.isfinite(result).all(axis=-1), InputError, rule)
+            overflown = ~np.isfinite(result).all(axis=-1)
+            self.screen.reject(overflown, InputError, rule, self.position, 1)
 
     def on_axis(self, radial: Array, length: Array) -> Mask:
         """Where C lies on the Z axis within rounding."""
@@ -119,7 +121,7 @@ class Pose:
         if none_zero(radial, length, self.rounding * EPS):
             return
         self.screen.reject(
-            length == 0.0, SingularPoseError, "q6 = 0, the central limb has no direction"
+            length == 0.0, SingularPoseError, "q6 = 0, the central limb has no direction", length
         )
         if self.azimuth is None:
             rule = "C is on the Z axis, q4 is free: give azimuth="
