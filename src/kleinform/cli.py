@@ -42,6 +42,7 @@ def run() -> NoReturn:
         import typer
 
         from kleinform.commands import app
+        from kleinform.commands.wording import in_options
     except ModuleNotFoundError as error:
         package = str(error.name).partition(".")[0]
         if package not in EXTRA:
@@ -53,7 +54,7 @@ def run() -> NoReturn:
     except typer.TyperException as error:
         refuse(error.format_message())
     except KleinformError as error:
-        refuse(str(error))
+        refuse(in_options(str(error)))
     except OSError as error:
         # Inputs and files say their names.
         refuse(f"{error.filename or 'standard output'}: {error.strerror or error}")

@@ -8,6 +8,7 @@ from kleinform.commands import options
 from kleinform.commands.columns import ANGLES, JOINTS, POSE, POSITION, Array, Table, named, stacked
 from kleinform.commands.rows import Answer, answer_rows
 from kleinform.commands.streams import Streams
+from kleinform.errors import KleinformError
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.rotations import rotation_from_rpy
 from kleinform.screening import Errors
@@ -61,7 +62,10 @@ def azimuth_of(azimuth: float | None, degrees: bool) -> float | None:
     return float(np.radians(azimuth)) if degrees and azimuth is not None else azimuth
 
 
-def rotation_of(rpy: options.Three, degrees: bool) -> Array:
+def rotation_of(rpy: options.Three, degrees: bool, option: str = "--rpy") -> Array:
     """The rotation (3, 3) that an option gives."""
     roll, pitch, yaw = np.radians(rpy) if degrees else rpy
-    return rotation_from_rpy(roll=roll, pitch=pitch, yaw=yaw)
+    try:
+        return rotation_from_rpy(roll=roll, pitch=pitch, yaw=yaw)
+    except KleinformError as error:
+        raise type(error)(f"{option}: {error}") from None

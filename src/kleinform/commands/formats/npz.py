@@ -15,7 +15,7 @@ from typing import IO, Any, BinaryIO
 import numpy as np
 
 from kleinform.commands.columns import Array, Table
-from kleinform.commands.source import ROWS, Block, numbered
+from kleinform.commands.source import ROWS, Block, numbered, shown
 from kleinform.errors import InputError
 
 __all__ = ["NpzSource", "npz_writer"]
@@ -52,7 +52,9 @@ class NpzSource:
                 count = min(ROWS, rows - first)
                 table: Table = {member.name: member.read(count) for member in members}
                 done = (first + count) / max(rows, 1)
-                yield Block(table, numbered(self.name, first), done)
+                yield Block(table, numbered(self.name, first), shown(table), done)
+            for member in members:
+                member.close()
 
 
 class Member:
@@ -72,6 +74,8 @@ class Member:
                 f"{self._dtype} {shape} arrived"
             )
         self.rows: int = shape[0]
+        if self.rows < 0:
+            raise InputError(f"{source}: {name}: not an array: {self.rows} rows arrived")
 
     def read(self, count: int) -> Array:
         """The next rows."""
@@ -81,6 +85,17 @@ class Member:
             return np.frombuffer(data, self._dtype, count).astype(np.float64)
         except BROKEN as error:
             raise InputError(f"{self._source}: {self.name}: cut off: {error}") from None
+
+    def close(self) -> None:
+        """After the last row there is nothing more."""
+        try:
+            more = self._stream.read(1)
+        except BROKEN as error:
+            raise InputError(f"{self._source}: {self.name}: damaged: {error}") from None
+        if more:
+            raise InputError(
+                f"{self._source}: {self.name}: more data than the {self.rows} rows of its header"
+            )
 
 
 def _header(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
