@@ -29,15 +29,16 @@ def in_options(message: str) -> str:
     """A message that begins with an argument, or asks for one, with the option's name instead."""
     name, colon, rule = message.partition(": ")
     message = OPTIONS.get(name, name) + colon + rule
-    return re.sub(r"\b(\w+)=(?=[\s;,]|$)", lambda asked: OPTIONS.get(asked[1], asked[0]), message)
+    asked_for = r"\b(start_rotation|\w+(?==))=?(?=[\s;,]|$)"
+    return re.sub(asked_for, lambda asked: OPTIONS.get(asked[1], asked[0]), message)
 
 
 def in_columns(error: KleinformError, block: Block, row: int, degrees: bool) -> str:
     """What an error says of a row: the column, and what stands there, where it is of one."""
     rule = str(error).partition(", first at pose ")[0]
     if isinstance(error, NotFiniteError):
-        broken = [name for name, values in block.table.items() if not np.isfinite(values[row])]
-        name, argument = broken[0], rule.partition(": ")[0]
+        name = next(name for name, values in block.table.items() if not np.isfinite(values[row]))
+        argument = rule.partition(": ")[0]
         # An option has its name in front, as a line has its place.
         named = name if block.where(row) or argument == name else f"{argument}: {name}"
         return f"{named}: a finite number is needed, {block.cell(row, name)} arrived"
