@@ -44,7 +44,7 @@ RULES = (
     ("inverse --position 0 0 0 --rpy 0 0 0 --azimuth 1", "q6 = 0"),
     ("inverse --position 1e-120 0 0 --rpy 0 0 0", "--position: nearer to O"),
     ("inverse --position 0 1 1.8e19 --rpy 0 0 0", "1.0 arrived, rounding beside 1.8e+19"),
-    ("velocity --position 0 0 1 --rpy 0 0 0 --rates 1 1 1 1 1 1", "--azimuth"),
+    ("velocity --position 0 0 1 --rpy 0.1 0.2 0.3 --rates 1 1 1 1 1 1", "--azimuth"),
     ("velocity --position 0 0 1 --rpy 0 0 0 --twist 1 1 1 1 1 1", "0.0 arrived"),
     ("velocity --position 1e99 1e99 1 --rpy 0 0 0 --twist 1e99 1 1 1e99 1 1", ""),
     ("forward --joints 1 1 1 0 100 1 --degrees", "--joints: q5 in"),
@@ -120,7 +120,7 @@ TABLES = {
     "classify": ("x", "y", "z", "roll", "pitch", "yaw"),
     "trajectory": ("t", *(f"q{i}" for i in range(1, 7))),
 }
-GOOD = dict(x=0.25, y=0.2, z=1.0, roll=0.1, pitch=0.2, yaw=0.3, t=0.0)
+GOOD = {"x": 0.25, "y": 0.2, "z": 1.0, "roll": 0.1, "pitch": 0.2, "yaw": 0.3, "t": 0.0}
 GOOD |= {f"q{i + 1}": value for i, value in enumerate(VALUES["--joints"])}
 GOOD |= dict(zip(("wx", "wy", "wz", "vx", "vy", "vz"), VALUES["--twist"], strict=True))
 
@@ -141,10 +141,8 @@ def test_a_missing_number_in_each_column(run, tmp_path: Path, command: str, form
             path = table(tmp_path / f"in.{form}", names, rows)
             place = {"csv": "line 3", "json": "line 2", "npz": "row 1"}[form]
             message = checked(run(command, "--input", path.name, *more))
-            assert (
-                message
-                == f"in.{form}, {place}: {column}: a finite number is needed, {said} arrived"
-            )
+            rule = f"{column}: a finite number is needed, {said} arrived"
+            assert message == f"in.{form}, {place}: {rule}"
             if more:
                 continue
             ran = run(command, "--input", path.name, "--errors", "nan")
@@ -152,7 +150,7 @@ def test_a_missing_number_in_each_column(run, tmp_path: Path, command: str, form
                 0,
                 f"kleinform: rows refused: 1, the first at in.{form}, {place}\n",
             )
-            assert "nan" in ran.out.splitlines()[-2]
+            assert any("nan" in line for line in ran.out.splitlines()[2:-1])
 
 
 CELLS = {

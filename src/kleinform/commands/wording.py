@@ -37,13 +37,14 @@ def in_columns(error: KleinformError, block: Block, row: int, degrees: bool) -> 
     """What an error says of a row: the column, and what stands there, where it is of one."""
     rule = str(error).partition(", first at pose ")[0]
     if isinstance(error, NotFiniteError):
-        name = next(name for name, values in block.table.items() if not np.isfinite(values[row]))
-        argument = rule.partition(": ")[0]
-        # An option has its name in front, as a line has its place.
-        named = name if block.where(row) or argument == name else f"{argument}: {name}"
-        return f"{named}: a finite number is needed, {block.cell(row, name)} arrived"
-    if isinstance(error, JointRangeError):
-        joint = rule.partition(": ")[2][:2]
+        for name, values in block.table.items():
+            if not np.isfinite(values[row]):
+                # An option has its name in front, as a line has its place.
+                argument = "" if block.where(row) else rule.partition(": ")[0]
+                named = f"{argument}: {name}" if argument not in ("", name) else name
+                return f"{named}: a finite number is needed, {block.cell(row, name)} arrived"
+    joint = rule.removeprefix("joints: ")[:2]
+    if isinstance(error, JointRangeError) and joint in block.table:
         angle = " deg" if unit(joint, degrees) == "deg" else ""
         return f"{rule.rpartition(';')[0]}; {block.cell(row, joint)}{angle} arrived"
     return rule
