@@ -11,6 +11,7 @@ import numpy as np
 import pytest
 
 from tests.cli.support import random_poses, write
+from tests.cli.test_refusals import refused
 from tests.support import many
 
 ODD_TEXTS = (
@@ -190,3 +191,45 @@ def test_an_array_that_is_not_as_long_as_it_says(run, tmp_path: Path, member: st
         "negative": "in.npz: y: not an array: -3 rows arrived",
     }[member]
     assert (ran.code, ran.err) == (2, f"kleinform: {expected}\n")
+
+
+def npy(header: str, version: int = 1) -> bytes:
+    """A file of NumPy with any header."""
+    text = header.encode() + b"\n"
+    size = len(text).to_bytes(2 if version == 1 else 4, "little")
+    return b"\x93NUMPY" + bytes([version, 0]) + size + text + bytes(8)
+
+
+@pytest.mark.parametrize(
+    "member",
+    [
+        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (1,"),
+        npy("(" * 9000),
+        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (1,), }", version=9),
+        npy("{'descr': '<f8'}"),
+        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (-3,), }"),
+        b"junk",
+    ],
+)
+def test_an_npz_with_a_member_that_is_no_array(run, tmp_path: Path, member: bytes) -> None:
+    path = write(tmp_path / "good.npz", random_poses(1))
+    with zipfile.ZipFile(path) as good, zipfile.ZipFile(tmp_path / "poses.npz", "w") as bad:
+        for name in good.namelist():
+            bad.writestr(name, member if name == "x.npy" else good.read(name))
+    message = refused(run("inverse", "--input", "poses.npz"))
+    assert message.startswith("poses.npz: x: not an array:")
+
+
+@pytest.mark.parametrize("method", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
+def test_an_npz_whose_packing_is_damaged(run, tmp_path: Path, method: int) -> None:
+    path = write(tmp_path / "good.npz", random_poses(100))
+    with (
+        zipfile.ZipFile(path) as good,
+        zipfile.ZipFile(tmp_path / "poses.npz", "w", method) as bad,
+    ):
+        for name in good.namelist():
+            bad.writestr(name, good.read(name))
+    data = bytearray((tmp_path / "poses.npz").read_bytes())
+    data[60:75] = bytes(byte ^ 0x5A for byte in data[60:75])
+    (tmp_path / "poses.npz").write_bytes(data)
+    assert refused(run("inverse", "--input", "poses.npz")).startswith("poses.npz: x: ")

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -132,48 +131,6 @@ def test_an_npz_that_is_no_table(run, tmp_path: Path, arrays, message: str) -> N
     table = {name: np.ones(2) for name in HEADER.strip().split(",")}
     np.savez(tmp_path / "poses.npz", **(table | arrays))
     assert refused(run("inverse", "--input", "poses.npz")).startswith(f"poses.npz: {message}")
-
-
-def npy(header: str, version: int = 1) -> bytes:
-    """A file of NumPy with any header."""
-    text = header.encode() + b"\n"
-    size = len(text).to_bytes(2 if version == 1 else 4, "little")
-    return b"\x93NUMPY" + bytes([version, 0]) + size + text + bytes(8)
-
-
-@pytest.mark.parametrize(
-    "member",
-    [
-        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (1,"),
-        npy("(" * 9000),
-        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (1,), }", version=9),
-        npy("{'descr': '<f8'}"),
-        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (-3,), }"),
-        b"junk",
-    ],
-)
-def test_an_npz_with_a_member_that_is_no_array(run, tmp_path: Path, member: bytes) -> None:
-    path = write(tmp_path / "good.npz", random_poses(1))
-    with zipfile.ZipFile(path) as good, zipfile.ZipFile(tmp_path / "poses.npz", "w") as bad:
-        for name in good.namelist():
-            bad.writestr(name, member if name == "x.npy" else good.read(name))
-    message = refused(run("inverse", "--input", "poses.npz"))
-    assert message.startswith("poses.npz: x: not an array:")
-
-
-@pytest.mark.parametrize("method", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
-def test_an_npz_whose_packing_is_damaged(run, tmp_path: Path, method: int) -> None:
-    path = write(tmp_path / "good.npz", random_poses(100))
-    with (
-        zipfile.ZipFile(path) as good,
-        zipfile.ZipFile(tmp_path / "poses.npz", "w", method) as bad,
-    ):
-        for name in good.namelist():
-            bad.writestr(name, good.read(name))
-    data = bytearray((tmp_path / "poses.npz").read_bytes())
-    data[60:75] = bytes(byte ^ 0x5A for byte in data[60:75])
-    (tmp_path / "poses.npz").write_bytes(data)
-    assert refused(run("inverse", "--input", "poses.npz")).startswith("poses.npz: x: ")
 
 
 @pytest.mark.parametrize("rates", [False, True])
