@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import sys
+from io import BytesIO
 from pathlib import Path
 
 import numpy as np
 
 import kleinform
 from benchmarks.joint_values import DISTRIBUTIONS, joint_values
+from kleinform.files import check_target, write_bytes
 
 ROWS = 100_000
 #: The most modes that a search found: random steps from the best joint values of the census.
@@ -60,7 +62,9 @@ def picture(found: dict[str, tuple[np.ndarray, np.ndarray]], path: Path) -> None
     axes[0].legend()
     axes[-1].set_xlabel("number of modes, one of each pair ±n")
     axes[-1].set_xticks(np.arange(0, 22, 2))
-    figure.savefig(path, metadata={"Date": None})
+    drawn = BytesIO()
+    figure.savefig(drawn, format="svg", metadata={"Date": None})
+    write_bytes(path, drawn.getvalue())
 
 
 def most() -> None:
@@ -72,6 +76,8 @@ def most() -> None:
 
 
 if __name__ == "__main__":
+    for given in sys.argv[1:]:
+        check_target(given)
     census = table(ROWS)
     most()
     if len(sys.argv) > 1:

@@ -13,6 +13,7 @@ from pathlib import Path
 
 import kleinform
 from benchmarks.peers import PACKAGES, missing
+from kleinform.files import check_target, write_bytes
 
 __all__ = ["machine", "saved"]
 
@@ -34,13 +35,12 @@ class Tee(io.StringIO):
 @contextlib.contextmanager
 def saved(path: Path) -> Iterator[None]:
     """What is printed goes into a Markdown file too, whole or not at all."""
+    check_target(path)
     tee = Tee(sys.stdout)  # type: ignore[arg-type]
     with contextlib.redirect_stdout(tee):
         yield
-    aside = path.with_name(path.name + ".new")
     text = f"# Benchmarks\n\nWritten by `make bench`.\n\n```text\n{tee.getvalue()}```\n"
-    aside.write_text(text, encoding="utf-8", newline="\n")
-    os.replace(aside, path)
+    write_bytes(path, text.encode())
 
 
 def machine() -> str:

@@ -1,5 +1,8 @@
 """Kinematics and singularities of the uncoupled parallel manipulator 3-RPRRC+RRPRU."""
 
+import kleinform.starting  # noqa: F401  # what follows takes a while
+
+# isort: split
 from typing import TYPE_CHECKING, Any
 
 from kleinform.backend import Backend, backend, set_threads, threads

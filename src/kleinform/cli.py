@@ -11,6 +11,8 @@ import warnings
 from typing import NoReturn
 
 from kleinform.errors import KleinformError
+from kleinform.standard import prepare, settle
+from kleinform.starting import loaded
 
 __all__ = ["main"]
 
@@ -24,14 +26,15 @@ def main() -> None:
     Exits with code 2 and one line on standard error where the command cannot do what it is
     asked to, the extra ``kleinform[cli]`` missing among the reasons.
     """
-    if sys.stdin is None or sys.stdout is None:
-        refuse("standard input and output are needed, one of them is closed")
+    prepare()
     # Ended from outside, a command takes away what it has begun to write.
     signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))
     try:
         run()
     except KeyboardInterrupt:
         sys.exit(128 + signal.SIGINT)
+    finally:
+        settle()
 
 
 def run() -> NoReturn:
@@ -41,19 +44,22 @@ def run() -> NoReturn:
         import typer
 
         from kleinform.commands import app
+        from kleinform.commands.wording import in_options
     except ModuleNotFoundError as error:
         package = str(error.name).partition(".")[0]
         if package not in EXTRA:
             raise
         refuse(f"{package} is missing; install the extra: pip install 'kleinform[cli]'")
+    loaded()
     try:
         code = app(sys.argv[1:] or ["--help"], prog_name="kleinform", standalone_mode=False)
     except typer.TyperException as error:
         refuse(error.format_message())
     except KleinformError as error:
-        refuse(str(error))
+        refuse(in_options(str(error)))
     except OSError as error:
-        refuse(f"{error.filename}: {error.strerror}" if error.filename else str(error))
+        # Inputs and files say their names.
+        refuse(f"{error.filename or 'standard output'}: {error.strerror or error}")
     sys.exit(code)
 
 

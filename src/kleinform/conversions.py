@@ -75,7 +75,8 @@ def rotation_from_quaternion(
     screen = Screen(given.shape[:-1], errors)
     reject_bad_numbers(screen, "quaternion", given, 1)
     largest = abs(given).max(axis=-1, keepdims=True)
-    screen.reject(largest[..., 0] == 0.0, NotARotationError, "quaternion: zero is no rotation")
+    rule = "quaternion: zero is no rotation"
+    screen.reject(largest[..., 0] == 0.0, NotARotationError, rule, given, 1)
     screen.settle()
     with np.errstate(invalid="ignore"):  # only in rows that are refused
         parts = np.moveaxis(given / largest, -1, 0)
@@ -176,7 +177,7 @@ def nearest_rotation(matrix: RotationLike, *, errors: Errors = "raise") -> Array
     screen.reject(singular, NotARotationError, "matrix: singular", values[..., 2])
     sign = np.linalg.det(left) * np.linalg.det(right)
     rule = "matrix: a reflection, its determinant is negative"
-    screen.reject((sign < 0.0) & ~singular, NotARotationError, rule)
+    screen.reject((sign < 0.0) & ~singular, NotARotationError, rule, sign * values.prod(axis=-1))
     # Sums of three products, not of a library: the same bits alone and in a batch.
     first, second, third = (
         left[..., :, k, np.newaxis] * right[..., np.newaxis, k, :] for k in range(3)

@@ -147,9 +147,10 @@ class Pose:
         """Refuse some poses (...) where a factor is zero, and remember them where it nearly is."""
         zero, ratio = factor.zero(self.rounding), factor.ratio()
         if zero.any():
-            rows, value = np.zeros(close.shape, dtype=bool), np.zeros(close.shape)
-            rows[close], value[close] = zero, factor.value
-            self.screen.reject(rows, SingularPoseError, rule, value)
+            rows = np.zeros(close.shape, dtype=bool)
+            value, scale = np.zeros(close.shape), np.zeros(close.shape)
+            rows[close], value[close], scale[close] = zero, factor.value, factor.scale
+            self.screen.reject(rows, SingularPoseError, rule, value, beside=scale)
         near = (ratio <= NEAR) & ~zero
         if near.any():
             self._remember(Near(name, np.flatnonzero(close)[near], ratio[near]))
@@ -161,7 +162,8 @@ class Pose:
         """Refuse what is singular no more, and still not finite: products of such numbers."""
         if not sized(result, 0.0, HUGE):
             rule = "the numbers are so large or so small that the result overflows"
-            self.screen.reject(~np.isfinite(result).all(axis=-1), InputError, rule)
+            overflown = ~np.isfinite(result).all(axis=-1)
+            self.screen.reject(overflown, InputError, rule, self.position, 1)
 
     def on_axis(self, radial: Array, length: Array) -> Mask:
         """Where C lies on the Z axis within rounding."""
@@ -175,11 +177,11 @@ class Pose:
         if none_zero(radial, length, guard(self.rounding)):
             return
         at_origin = "q6 = 0, the central limb has no direction"
-        self.screen.reject(length == 0.0, SingularPoseError, at_origin)
+        self.screen.reject(length == 0.0, SingularPoseError, at_origin, length)
         factor = central(radial, length)
         zero, ratio = factor.zero(self.rounding), factor.ratio()
         if self.azimuth is None:
-            self.screen.reject(zero, SingularPoseError, AXIS, radial)
+            self.screen.reject(zero, SingularPoseError, AXIS, radial, beside=length)
         near = (ratio <= NEAR) & ~zero
         if divided and near.any():
             self._remember(Near("central", np.flatnonzero(near), ratio[near]))

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+from itertools import chain
 from typing import Any, Literal, NamedTuple, Protocol, runtime_checkable
 
 import numpy as np
@@ -33,6 +35,12 @@ LARGEST = 1e100
 SMALLEST = 1e-100
 #: A matrix with a smaller defect is taken for a rotation that was rounded, to two digits or more.
 ROUNDED = 0.01
+#: More leading axes are refused: results have more axes than arguments, and some functions of
+#: NumPy end at 32.
+MOST_AXES = 24
+#: NumPy looks no deeper into sequences, and takes texts as they are.
+MOST_NESTED = 65
+TEXTS = (str, bytes, bytearray, memoryview, range)
 
 
 @runtime_checkable
@@ -57,12 +65,7 @@ def real_array(name: str, value: ArrayLike, core: tuple[int, ...]) -> Array:
     """
     if type(value) is np.ndarray and value.dtype is FLOAT64 and value.shape[-len(core) :] == core:
         return value
-    if isinstance(value, np.ma.MaskedArray):
-        raise DtypeError(f"{name}: a plain array is needed, a masked array arrived: fill it")
-    try:
-        array = np.asarray(value)
-    except ValueError as error:
-        raise ShapeError(f"{name}: not an array: {error}") from error
+    array = plain_array(name, value)
     if array.dtype.kind not in "fiu" or array.dtype.itemsize > 8:
         raise DtypeError(f"{name}: real numbers up to float64 are needed, {array.dtype} arrived")
     if array.shape[max(0, array.ndim - len(core)) :] != core:
@@ -81,18 +84,82 @@ def _helper(shape: tuple[int, ...]) -> str:
     return ""
 
 
+def plain_array(name: str, value: Any) -> NDArray[Any]:
+    """The value as an array without a mask.
+
+    Raises
+    ------
+    DtypeError
+        It has a mask, somewhere, or what it does to become an array raises.
+    ShapeError
+        It is ragged.
+    """
+    masked = DtypeError(f"{name}: a plain array is needed, a masked array arrived: fill it")
+    if _has_mask(value):
+        raise masked
+    try:
+        array = np.asanyarray(value)
+    except ValueError as error:
+        raise ShapeError(f"{name}: not an array: {error}") from error
+    except Exception as error:  # somebody's __array__ or __getitem__ may raise anything
+        raise DtypeError(f"{name}: not an array: {error!r}") from error
+    if isinstance(array, np.ma.MaskedArray):  # somebody's __array__ gave it
+        raise masked
+    return np.asarray(array)
+
+
+def _has_mask(value: Any) -> bool:
+    """Whether it is a masked array, or has one in sequences of sequences."""
+    level = [value]
+    for _ in range(MOST_NESTED):
+        kinds = set(map(type, level))
+        if any(issubclass(kind, np.ma.MaskedArray) for kind in kinds):
+            return True
+        nested = tuple(k for k in kinds if issubclass(k, Sequence) and not issubclass(k, TEXTS))
+        if not nested:
+            return False
+        level = list(chain.from_iterable(entry for entry in level if isinstance(entry, nested)))
+    return False
+
+
 def is_whole(value: object) -> bool:
     """Whether it is a whole number, of Python or of NumPy, and no boolean."""
     return isinstance(value, (int, np.integer)) and not isinstance(value, bool)
 
 
+def check_axes(lead: tuple[int, ...]) -> None:
+    """Refuse more leading axes than every function of NumPy can have.
+
+    Raises
+    ------
+    ShapeError
+    """
+    if len(lead) > MOST_AXES:
+        raise ShapeError(f"up to {MOST_AXES} leading axes are possible, {len(lead)} arrived")
+
+
 class Broken(NamedTuple):
-    """A rule, the rows that broke it, and what arrived in them (None where it says nothing)."""
+    """A rule, the rows that broke it, what arrived in them, and beside what it counts as zero."""
 
     mask: Mask
     error: type[KleinformError]
     rule: str
     arrived: Any
+    core: int
+    beside: Any
+
+    def text(self, row: tuple[int, ...]) -> str:
+        """The rule, and what arrived in a row."""
+        value = self._of_row(self.arrived, row)
+        text = f"{self.rule}; {value!r} arrived"
+        if self.beside is not None and value != 0.0:
+            text += f", rounding beside {self._of_row(self.beside, row):.3g}"
+        return text
+
+    def _of_row(self, values: Any, row: tuple[int, ...]) -> Any:
+        array = np.asarray(values)
+        core = array.shape[array.ndim - self.core :]
+        return np.broadcast_to(array, self.mask.shape + core)[row].tolist()
 
 
 class Screen:
@@ -107,17 +174,30 @@ class Screen:
     def __init__(self, lead: tuple[int, ...], errors: Errors) -> None:
         if not isinstance(errors, str) or errors not in ("raise", "nan"):
             raise InputError(f'errors: "raise" or "nan" is needed, {errors!r} arrived')
+        if lead:
+            check_axes(lead)
         self.lead = lead
         self.errors = errors
         self.broken: list[Broken] = []
 
     def reject(
-        self, rows: Any, error: type[KleinformError], rule: str, arrived: Any = None
+        self,
+        rows: Any,
+        error: type[KleinformError],
+        rule: str,
+        arrived: Any,
+        core: int = 0,
+        *,
+        beside: Any = None,
     ) -> None:
-        """Refuse some rows; ``arrived`` has the value of each row to show."""
+        """Refuse some rows.
+
+        ``arrived`` has what to show of each row, with so many axes; ``beside`` the scale of
+        what counts as zero.
+        """
         if np.any(rows):
             mask = np.broadcast_to(np.asarray(rows, dtype=bool), self.lead)
-            self.broken.append(Broken(mask, error, rule, arrived))
+            self.broken.append(Broken(mask, error, rule, arrived, core, beside))
 
     def settle(self) -> None:
         """Raise for the first row that was refused, if rows are not to be blanked."""
@@ -126,10 +206,7 @@ class Screen:
         rejected = ~self.valid
         first = tuple(map(int, np.argwhere(rejected)[0]))
         broken = next(entry for entry in self.broken if entry.mask[first])
-        text = broken.rule
-        if broken.arrived is not None:
-            value = np.broadcast_to(broken.arrived, self.lead)[first]
-            text += f"; {float(value)!r} arrived"
+        text = broken.text(first)
         if self.lead:
             where = first[0] if len(first) == 1 else first
             text += f", first at pose {where}; {int(rejected.sum())} of {rejected.size} poses"
@@ -163,6 +240,8 @@ def lead_of(shapes: dict[str, tuple[int, ...]]) -> tuple[int, ...]:
     leads = set(shapes.values())
     if len(leads) == 1:
         return leads.pop()
+    for lead in leads:
+        check_axes(lead)
     try:
         return np.broadcast_shapes(*leads)
     except ValueError:
@@ -172,8 +251,16 @@ def lead_of(shapes: dict[str, tuple[int, ...]]) -> tuple[int, ...]:
 
 def rotation_array(name: str, value: RotationLike) -> tuple[Array, float]:
     """The rotation as float64 ``(..., 3, 3)`` and the defect that its precision allows."""
-    given = value.as_matrix() if isinstance(value, HasMatrix) else value
+    given = _matrix_of(name, value) if isinstance(value, HasMatrix) else value
     return real_array(name, given, (3, 3)), allowed_defect(given)
+
+
+def _matrix_of(name: str, value: HasMatrix) -> ArrayLike:
+    """What gives its matrix, asked for it."""
+    try:
+        return value.as_matrix()
+    except Exception as error:  # it is somebody's
+        raise DtypeError(f"{name}: as_matrix() gave {error!r}") from error
 
 
 def allowed_defect(*given: Any) -> float:
@@ -191,8 +278,11 @@ def reject_bad_numbers(screen: Screen, name: str, array: Array, core: int) -> No
     if (size <= LARGEST).all():
         return
     trailing = tuple(range(size.ndim - core, size.ndim))
-    screen.reject(~np.isfinite(size).all(trailing), NotFiniteError, f"{name}: NaN or inf")
-    screen.reject(~(size <= LARGEST).all(trailing), InputError, f"{name}: above {LARGEST:g}")
+    for fits, error, rule in (
+        (np.isfinite(size), NotFiniteError, f"{name}: NaN or inf"),
+        (size <= LARGEST, InputError, f"{name}: above {LARGEST:g}"),
+    ):
+        screen.reject(~fits.all(trailing), error, rule, array, core)
 
 
 def reject_bad_rotations(screen: Screen, name: str, rotation: Array, tolerance: float) -> None:

@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import sys
-import zipfile
 from pathlib import Path
 
 import numpy as np
@@ -39,7 +38,7 @@ def test_a_singular_row_in_a_later_block(run, tmp_path: Path, suffix: str, kept:
             before.add(target)
         message = refused(run("inverse", "--input", f"poses{suffix}", "--output", target))
         place = {".csv": "line 10002", ".json": "line 10001", ".npz": "row 10000"}[suffix]
-        rule = "C is on the Z axis, q4 is free: give azimuth=; 0.0 arrived"
+        rule = "C is on the Z axis, q4 is free: give --azimuth; 0.0 arrived"
         assert message == f"poses{suffix}, {place}: {rule}"
         assert {path.name for path in tmp_path.iterdir()} == before
         assert not kept or (tmp_path / target).read_text() == "kept"
@@ -55,12 +54,14 @@ def test_blocks_before_the_error_are_written_to_a_stream(run) -> None:
 @pytest.mark.parametrize(
     ("line", "message"),
     [
-        ("0.25,abc,1.0,0.1,0.2,0.3", "could not convert string 'abc' to float64"),
-        ("0.25,,1.0,0.1,0.2,0.3", "could not convert string '' to float64"),
+        ("0.25,abc,1.0,0.1,0.2,0.3", "y: a number is needed, 'abc' arrived"),
+        ("0.25,,1.0,0.1,0.2,0.3", "y: a finite number is needed, a blank arrived"),
         ("0.25,0.2,1.0,0.1,0.2", "6 fields are needed, 5 arrived"),
         ("0.25,0.2,1.0,0.1,0.2,0.3,", "6 fields are needed, 7 arrived"),
         ('0.25,0.2,1.0,0.1,0.2,"0.3', "unexpected end of data"),
-        ("0.25,0.2,1.0,0.1,0.2,nan", "yaw: NaN or inf"),
+        ("0.25,0.2,1.0,0.1,0.2,nan", "yaw: a finite number is needed, nan arrived"),
+        ("0.25,NA,1.0,0.1,0.2,0.3", "y: a finite number is needed, NA arrived"),
+        ("0.25,1_0,1.0,0.1,0.2,0.3", "y: a number is needed, '1_0' arrived"),
     ],
 )
 def test_a_malformed_line_of_csv(run, line: str, message: str) -> None:
@@ -77,7 +78,8 @@ def test_a_malformed_line_of_csv(run, line: str, message: str) -> None:
         (POSE.replace("1.0", "true"), "z: a number is needed, true arrived"),
         (POSE.replace("1.0", "1" + 400 * "0"), "z: beyond float64"),
         (POSE.replace('"z": 1.0, ', ""), "z is missing; x, y, roll, pitch, yaw arrived"),
-        (POSE.replace("1.0", "null"), "position: NaN or inf"),
+        (POSE.replace("1.0", "null"), "z: a finite number is needed, null arrived"),
+        (POSE.replace('"z"', '"y"'), "no JSON: y is there twice"),
         ("[1, 2]", "an object is needed, [1, 2] arrived"),
         ("{", "no JSON: Expecting property name enclosed in double quotes: line 2 column 1 "),
     ],
@@ -131,47 +133,6 @@ def test_an_npz_that_is_no_table(run, tmp_path: Path, arrays, message: str) -> N
     assert refused(run("inverse", "--input", "poses.npz")).startswith(f"poses.npz: {message}")
 
 
-def npy(header: str, version: int = 1) -> bytes:
-    """A file of NumPy with any header."""
-    text = header.encode() + b"\n"
-    size = len(text).to_bytes(2 if version == 1 else 4, "little")
-    return b"\x93NUMPY" + bytes([version, 0]) + size + text + bytes(8)
-
-
-@pytest.mark.parametrize(
-    "member",
-    [
-        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (1,"),
-        npy("(" * 9000),
-        npy("{'descr': '<f8', 'fortran_order': False, 'shape': (1,), }", version=9),
-        npy("{'descr': '<f8'}"),
-        b"junk",
-    ],
-)
-def test_an_npz_with_a_member_that_is_no_array(run, tmp_path: Path, member: bytes) -> None:
-    path = write(tmp_path / "good.npz", random_poses(1))
-    with zipfile.ZipFile(path) as good, zipfile.ZipFile(tmp_path / "poses.npz", "w") as bad:
-        for name in good.namelist():
-            bad.writestr(name, member if name == "x.npy" else good.read(name))
-    message = refused(run("inverse", "--input", "poses.npz"))
-    assert message.startswith("poses.npz: x: not an array:")
-
-
-@pytest.mark.parametrize("method", [zipfile.ZIP_BZIP2, zipfile.ZIP_LZMA])
-def test_an_npz_whose_packing_is_damaged(run, tmp_path: Path, method: int) -> None:
-    path = write(tmp_path / "good.npz", random_poses(100))
-    with (
-        zipfile.ZipFile(path) as good,
-        zipfile.ZipFile(tmp_path / "poses.npz", "w", method) as bad,
-    ):
-        for name in good.namelist():
-            bad.writestr(name, good.read(name))
-    data = bytearray((tmp_path / "poses.npz").read_bytes())
-    data[60:75] = bytes(byte ^ 0x5A for byte in data[60:75])
-    (tmp_path / "poses.npz").write_bytes(data)
-    assert refused(run("inverse", "--input", "poses.npz")).startswith("poses.npz: x: ")
-
-
 @pytest.mark.parametrize("rates", [False, True])
 @pytest.mark.parametrize(
     ("times", "line"), [((0.0, "nan"), 3), ((0.1, 0.1), 3), ((0.0, 0.1, 0.1), 4), ((1.0, 0.5), 3)]
@@ -186,7 +147,8 @@ def test_times_that_do_not_go_on(run, tmp_path: Path, rates: bool, times, line: 
     rows = [",".join(["t", *names]), *(",".join(map(str, [t, *values])) for t in times)]
     (tmp_path / "motion.csv").write_text("\n".join(rows) + "\n")
     message = refused(run("trajectory", "--input", "motion.csv", "--mode", 0))
-    assert message.startswith(f"motion.csv, line {line}: times: ")
+    rule = "t: a finite number is needed, nan" if "nan" in times else "times: each after the one"
+    assert message.startswith(f"motion.csv, line {line}: {rule}")
 
 
 def test_an_npz_that_is_damaged(run, tmp_path: Path) -> None:
@@ -214,8 +176,14 @@ def test_an_npz_that_is_damaged(run, tmp_path: Path) -> None:
         ("inverse --input poses.txt", "poses.txt: the name must end in one of .csv, .json, "),
         ("inverse --input - --format npz", "Invalid value for '--format'"),
         ("inverse --input . ", ".: the name must end in "),
-        ("inverse --position 0 0 1 --rpy 0 0 nan", "yaw: NaN or inf"),
-        ("inverse --position 0.1 0 1 --rpy 0 0 0 --radius 0", "radius: positive, at least 1e-100"),
+        (
+            "inverse --position 0 0 1 --rpy 0 0 nan",
+            "--rpy: yaw: a finite number is needed",
+        ),
+        (
+            "inverse --position 0.1 0 1 --rpy 0 0 0 --radius 0",
+            "--radius: positive, at least",
+        ),
         ("inverse --position 0.1 0 1 --rpy 0 0 0 --errors no", "Invalid value for '--errors'"),
         ("inverse --position 0.1 0 1 --rpy 0 0 0 --output a/b.csv", "a/b.csv: there is no folder"),
         ("inverse --position 0.1 0 1 --rpy 0 0 0 --output folder.csv", "folder.csv: not a file"),
@@ -228,13 +196,13 @@ def test_an_npz_that_is_damaged(run, tmp_path: Path) -> None:
             "either --twist or --rates is needed, both arrived",
         ),
         ("velocity --input poses.csv", "poses.csv: either the columns wx, wy, wz, vx, vy, vz or "),
-        ("forward --joints 1 1 1 0 2 1", "joints: q5 in [−π/2, π/2] is needed; 2.0 arrived"),
+        ("forward --joints 1 1 1 0 2 1", "--joints: q5 in [−π/2, π/2] is needed; 2.0 arrived"),
         ("forward --input poses.csv --certify", "--certify is for one set of joint values"),
         ("trajectory", "either --example or --input is needed"),
         ("trajectory --input poses.csv --example 1", "either --example or --input is needed"),
         ("trajectory --input poses.csv", "--input needs either --mode or --start-rpy"),
-        ("trajectory --example 1 --mode 9", "mode: the first sample has 4 modes, 9 arrived"),
-        ("trajectory --example 1 --samples 1", "count: at least 2 samples are needed"),
+        ("trajectory --example 1 --mode 9", "--mode: the first sample has 4 modes, 9 arrived"),
+        ("trajectory --example 1 --samples 1", "--samples: at least 2 samples are needed"),
         (
             "trajectory --example 1 --mode 1 --start-rpy 0 0 0",
             "either --mode or --start-rpy is needed, both arrived",

@@ -92,10 +92,10 @@ def test_the_mesh(run, box: tuple[object, ...], low: list[float], high: list[flo
     [
         ((), "Missing option '--rpy'"),
         ((*PAPER, "--mesh", "cubic.obj"), "cubic.obj: the name must end in one of .stl, .ply"),
-        ((*PAPER, "--mesh", "c.stl", "--box", 1, 0, 0, 1, 0, 1), "bounds: (low, high) with "),
+        ((*PAPER, "--mesh", "c.stl", "--box", 1, 0, 0, 1, 0, 1), "--box: (low, high) with "),
         ((*PAPER, "--resolution", 1000), "Invalid value for '--resolution'"),
         (("--rpy", 0, 0, 0, "--mesh", "c.stl"), "every position is singular"),
-        ((*PAPER, "--radius", -1), "radius: "),
+        ((*PAPER, "--radius", -1), "--radius: "),
     ],
 )
 def test_bad_options(run, arguments: tuple[object, ...], message: str) -> None:

@@ -131,11 +131,11 @@ def test_a_tolerance_that_is_not_reached(run, quick) -> None:
         ("[range]", "limits.toml: [ranges], [margins], unit are known, 'range' arrived"),
         ("[ranges]\nq7 = [0, 1]", "limits.toml: ranges: one of q1, "),
         ("[ranges]\nq1 = [1, 0]", "limits.toml: q1: (low, high) with low < high is needed"),
-        ("[ranges]\nq5 = [0, 1]", "limits: the workspace is unbounded"),
+        ("[ranges]\nq5 = [0, 1]", "--limits: the workspace is unbounded"),
         ("[ranges]\nq5 = [40, 90]", "limits.toml: q5: within a full turn is needed, [40, 90] "),
         ("unit = 'grad'", 'limits.toml: unit: "rad" or "deg" is needed'),
         ("[ranges]\nq1 = " + 5000 * "[", "limits.toml: not TOML of limits: nested too deep"),
-        ("[margins]\nwrist = 0.1", f"limits: {MARGINS}"),
+        ("[margins]\nwrist = 0.1", f"--limits: {MARGINS}"),
     ],
 )
 def test_bad_limits(run, tmp_path: Path, toml: str, message: str) -> None:
@@ -154,7 +154,7 @@ def test_bad_limits(run, tmp_path: Path, toml: str, message: str) -> None:
         ((*PAPER, "--mesh", "none/space.stl"), "none/space.stl: there is no folder "),
         ((*PAPER, "--mesh", "folder.stl"), "folder.stl: not a file"),
         ((*PAPER, "--resolution", 0), "Invalid value for '--resolution'"),
-        ((*PAPER, "--tolerance", 1e-12), "relative: from 1e-9 to 1 is needed"),
+        ((*PAPER, "--tolerance", 1e-12), "--tolerance: from 1e-9 to 1 is needed"),
         (("--rpy", 0, 0, 90, "--degrees"), "n_1·u_1 = 0, B_1 is not defined"),
     ],
 )

@@ -18,9 +18,10 @@ from kleinform.commands.columns import (
 )
 from kleinform.commands.rows import Answer, answer_rows
 from kleinform.commands.streams import Streams
+from kleinform.errors import KleinformError
 from kleinform.manipulator import UncoupledManipulator
 from kleinform.rotations import rotation_from_rpy
-from kleinform.screening import Errors
+from kleinform.screening import Errors, Screen, reject_bad_numbers
 
 __all__ = ["azimuth_of", "inverse", "pose_of", "rotation_of"]
 
@@ -68,11 +69,19 @@ def pose_of(poses: Table, errors: Errors) -> tuple[Array, Array]:
 
 def azimuth_of(azimuth: float | None, degrees: bool) -> float | None:
     """The azimuth in radians."""
-    return float(np.radians(azimuth)) if degrees and azimuth is not None else azimuth
+    if azimuth is None:
+        return None
+    screen = Screen((), "raise")  # it is of no row
+    reject_bad_numbers(screen, "azimuth", np.array(azimuth), 0)
+    screen.settle()
+    return float(np.radians(azimuth)) if degrees else azimuth
 
 
-def rotation_of(rpy: options.Three, degrees: bool) -> Array:
+def rotation_of(rpy: options.Three, degrees: bool, option: str = "--rpy") -> Array:
     """The rotation (3, 3) that an option gives."""
     given = dict(zip(ANGLES, map(np.array, rpy), strict=True))
-    angles = in_radians(given, degrees)
-    return rotation_from_rpy(roll=angles["roll"], pitch=angles["pitch"], yaw=angles["yaw"])
+    try:
+        angles = in_radians(given, degrees)
+        return rotation_from_rpy(roll=angles["roll"], pitch=angles["pitch"], yaw=angles["yaw"])
+    except KleinformError as error:
+        raise type(error)(f"{option}: {error}") from None

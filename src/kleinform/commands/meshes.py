@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from kleinform.errors import InputError
+from kleinform.files import check_target
 
 if TYPE_CHECKING:
     from kleinform.maps.mesh import Mesh
@@ -36,10 +37,7 @@ def check_mesh_file(path: Path | None) -> None:
         return
     if path.suffix.lower() not in SUFFIXES:
         raise InputError(f"{path}: the name must end in one of {', '.join(SUFFIXES)}")
-    if not path.absolute().parent.is_dir():
-        raise InputError(f"{path}: there is no folder {path.absolute().parent}")
-    if path.exists() and not path.is_file():
-        raise InputError(f"{path}: not a file")
+    check_target(path)
 
 
 def write_mesh(mesh: Mesh, path: Path) -> None:

@@ -14,6 +14,7 @@ from kleinform.commands.nearness import Nearness
 from kleinform.commands.progress import progress
 from kleinform.commands.source import Block, Given, Source, require
 from kleinform.commands.streams import Streams
+from kleinform.commands.wording import in_columns
 from kleinform.errors import KleinformError, TrackingError
 
 __all__ = ["Answer", "answer_rows", "named_row"]
@@ -69,15 +70,15 @@ def answer_rows(
         print(f"kleinform: rows refused: {count}{first}", file=sys.stderr)
 
 
-def named_row(error: KleinformError, block: Block) -> KleinformError:
-    """An error of a row of a block, with the row's place in the whole input."""
+def named_row(error: KleinformError, block: Block, degrees: bool) -> KleinformError:
+    """An error of a row of a block, with the row's place in the whole input, and the column."""
     if isinstance(error, TrackingError):
         row = error.sample
     elif error.mask is not None:
         row = int(np.argmax(error.mask))
     else:
         return error
-    rule = str(error).partition(", first at pose ")[0]
+    rule = in_columns(error, block, row, degrees)
     place = block.where(row)
     return type(error)(f"{place}: {rule}" if place else rule)
 
@@ -86,4 +87,4 @@ def _answer(block: Block, compute: Callable[[Table], Answer], degrees: bool) -> 
     try:
         return compute(in_radians(block.table, degrees))
     except KleinformError as error:
-        raise named_row(error, block) from None
+        raise named_row(error, block, degrees) from None

@@ -11,7 +11,7 @@ import numpy as np
 from kleinform.commands.columns import Table
 from kleinform.errors import InputError
 
-__all__ = ["ROWS", "Block", "Given", "Source", "given_row", "numbered", "require", "whole"]
+__all__ = ["ROWS", "Block", "Given", "Source", "given_row", "numbered", "require", "shown", "whole"]
 
 #: Rows of a block: enough for the batches to pay, few enough to stay in cache.
 ROWS = 8192
@@ -28,12 +28,15 @@ class Block:
     table : dict of name to array (rows,)
     where : callable
         From the index of a row in this block to its place in the input, in words.
+    cell : callable
+        From the index of a row and the name of a column to what stands there, in words.
     done : float
         How much of the input is read with this block, from 0 to 1.
     """
 
     table: Table
     where: Callable[[int], str]
+    cell: Callable[[int, str], str]
     done: float
 
 
@@ -63,7 +66,8 @@ class GivenRow:
         return tuple(self.table)
 
     def blocks(self, names: Sequence[str]) -> Iterator[Block]:
-        yield Block({name: self.table[name] for name in names}, lambda _: "", 1.0)
+        table = {name: self.table[name] for name in names}
+        yield Block(table, lambda _: "", shown(table), 1.0)
 
 
 def given_row(given: Given) -> Source | None:
@@ -110,6 +114,11 @@ def numbered(name: str, first: int) -> Callable[[int], str]:
     return lambda row: f"{name}, row {first + row}"
 
 
+def shown(table: Table) -> Callable[[int, str], str]:
+    """What stands in a table of numbers."""
+    return lambda row, name: repr(table[name][row].item())
+
+
 def whole(source: Source, names: Sequence[str]) -> Block:
     """All rows in one block."""
     blocks = list(source.blocks(names))
@@ -117,8 +126,16 @@ def whole(source: Source, names: Sequence[str]) -> Block:
     sizes = [len(block.table[names[0]]) for block in blocks]
     ends = np.cumsum(sizes)
 
-    def where(row: int) -> str:
+    def place(row: int) -> tuple[Block, int]:
         index = int(np.searchsorted(ends, row, side="right"))
-        return blocks[index].where(row - int(ends[index]) + sizes[index])
+        return blocks[index], row - int(ends[index]) + sizes[index]
 
-    return Block(table, where, 1.0)
+    def where(row: int) -> str:
+        block, own = place(row)
+        return block.where(own)
+
+    def cell(row: int, name: str) -> str:
+        block, own = place(row)
+        return block.cell(own, name)
+
+    return Block(table, where, cell, 1.0)

@@ -3,13 +3,11 @@
 from __future__ import annotations
 
 import io
-import os
 import sys
 from collections.abc import Callable, Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
-from tempfile import TemporaryDirectory
 from typing import Literal
 
 from kleinform.commands.columns import Table
@@ -21,6 +19,7 @@ from kleinform.commands.formats.text import csv_writer, json_writer
 from kleinform.commands.source import Given, Source, given_row
 from kleinform.commands.terminal import print_aligned
 from kleinform.errors import InputError
+from kleinform.files import folder_of, written
 
 __all__ = ["Format", "Streams", "Writer"]
 
@@ -92,7 +91,7 @@ class Streams:
         elif one_answer and self.aligned:
             yield lambda table: print_aligned(table, self.degrees)
         else:
-            yield TEXT_WRITERS[self.format or "csv"](sys.stdout)
+            yield TEXT_WRITERS[self.format or "csv"](sys.stdout.write)
 
 
 @contextmanager
@@ -108,24 +107,14 @@ def _opened(path: Path) -> Iterator[Source]:
 
 @contextmanager
 def _file_writer(path: Path) -> Iterator[Writer]:
-    """Write aside, in a folder that is gone afterwards, and put the file in place at the end."""
+    """Write aside, and put the file in place at the end."""
     form = _format_of(path)
-    target = Path(os.path.realpath(path))
-    if not target.parent.is_dir():
-        raise InputError(f"{path}: there is no folder {target.parent}")
-    if target.exists() and not target.is_file():
-        raise InputError(f"{path}: not a file")
-    if not os.access(target.parent, os.W_OK):
-        raise InputError(f"{path}: the folder {target.parent} may not be written to")
-    with TemporaryDirectory(prefix=f".{target.name}.", dir=target.parent) as folder:
-        aside = Path(folder) / target.name
+    with written(path) as stream:
         if form == "npz":
-            with npz_writer(aside) as write:
+            with npz_writer(stream, folder_of(path)) as write:
                 yield write
         else:
-            with aside.open("w", encoding="utf-8", newline="\n") as stream:
-                yield TEXT_WRITERS[form](stream)
-        os.replace(aside, target)
+            yield TEXT_WRITERS[form](lambda text: stream.write(text.encode()))
 
 
 def _format_of(path: Path) -> str:

@@ -83,7 +83,7 @@ def trajectory(
     if mode is not None and start_rpy is not None:
         raise InputError("either --mode or --start-rpy is needed, both arrived")
     robot = UncoupledManipulator(radius)
-    start = None if start_rpy is None else rotation_of(start_rpy, degrees)
+    start = None if start_rpy is None else rotation_of(start_rpy, degrees, "--start-rpy")
     streams = Streams(table, output, format, degrees)
     if example is not None:
         motion, paper_start = _of_paper(example, samples)
@@ -124,7 +124,7 @@ def _of_block(
         states = JointStates(times, joints, rates, accelerations)
         return _with_twists(robot, states, start, mode)
     except KleinformError as error:
-        raise named_row(error, block) from None
+        raise named_row(error, block, degrees) from None
 
 
 def _with_twists(

@@ -2,15 +2,14 @@
 
 from __future__ import annotations
 
-import os
 from dataclasses import dataclass
 from itertools import permutations, product
 from os import PathLike
-from pathlib import Path
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kleinform.files import write_bytes
 from kleinform.maps.lines import inside
 from kleinform.maps.quadrics import Constraint
 
@@ -68,7 +67,7 @@ class Mesh:
         rows["normal"] = normal / np.where(length > 0.0, length, 1.0)
         rows["corners"] = corners
         header = b"kleinform, metres".ljust(80)
-        _write(path, header + np.uint32(len(rows)).astype("<u4").tobytes() + rows.tobytes())
+        write_bytes(path, header + np.uint32(len(rows)).astype("<u4").tobytes() + rows.tobytes())
 
     def write_ply(self, path: str | PathLike[str]) -> None:
         """Write a binary PLY, whole or not at all, in float64."""
@@ -85,7 +84,7 @@ class Mesh:
         faces = np.zeros(len(self.triangles), dtype=[("count", "u1"), ("corners", "<i4", 3)])
         faces["count"], faces["corners"] = 3, self.triangles
         header = "\n".join(lines).encode("ascii")
-        _write(path, header + self.vertices.astype("<f8").tobytes() + faces.tobytes())
+        write_bytes(path, header + self.vertices.astype("<f8").tobytes() + faces.tobytes())
 
 
 def mesh_of(constraints: list[Constraint], low: Array, high: Array, cells: int) -> Mesh:
@@ -168,9 +167,3 @@ def _halved(constraints: list[Constraint], kept: Array, lost: Array) -> Array:
         within = inside(constraints, kept + middle * (lost - kept))[:, np.newaxis]
         low, high = np.where(within, middle, low), np.where(within, high, middle)
     return kept + low * (lost - kept)
-
-
-def _write(path: str | PathLike[str], data: bytes) -> None:
-    aside = Path(f"{os.fspath(path)}.new")
-    aside.write_bytes(data)
-    os.replace(aside, path)

@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-import os
 import sys
-from pathlib import Path
 
+from kleinform.errors import KleinformError
+from kleinform.files import check_target, write_bytes
 from kleinform.paper.audit import audit
 from kleinform.paper.report import Row, report
 
@@ -23,27 +23,31 @@ def show(parts: dict[str, list[Row]]) -> None:
     print(f"\n{len(rows)} rows: {confirmed} confirmed, {len(rows) - confirmed} corrected or missed")
 
 
-def write(path: Path, text: str) -> None:
-    """Write a file whole or not at all."""
-    aside = path.with_name(path.name + ".new")
-    aside.write_text(text, encoding="utf-8", newline="\n")
-    os.replace(aside, path)
-
-
 def main(arguments: list[str]) -> int:
     """Run the command."""
     if len(arguments) > 1:
         print("usage: python -m kleinform.paper [FILE]", file=sys.stderr)
         return 2
+    try:
+        run(*arguments)
+    except (KleinformError, OSError) as error:
+        print(f"kleinform.paper: {error}", file=sys.stderr)
+        return 2
+    return 0
+
+
+def run(path: str | None = None) -> None:
+    """Print the report, and write or print the audit."""
+    if path is not None:
+        check_target(path)
     parts = report()
     text = audit(parts)
     show(parts)
-    if arguments:
-        write(Path(arguments[0]), text)
-        print(f"audit written to {arguments[0]}")
-    else:
+    if path is None:
         print(f"\n{text}")
-    return 0
+    else:
+        write_bytes(path, text.encode())
+        print(f"audit written to {path}")
 
 
 if __name__ == "__main__":

@@ -5,7 +5,7 @@ from __future__ import annotations
 import sys
 from pathlib import Path
 
-from kleinform.errors import MissingExtraError
+from kleinform.errors import KleinformError
 
 
 def main(arguments: list[str]) -> int:
@@ -17,7 +17,7 @@ def main(arguments: list[str]) -> int:
         from kleinform.plots.paper import write_figures
 
         paths = write_figures(Path(arguments[0]))
-    except MissingExtraError as error:
+    except (KleinformError, OSError) as error:
         print(f"kleinform.plots: {error}", file=sys.stderr)
         return 2
     for path in paths:

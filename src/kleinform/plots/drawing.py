@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Callable
 from io import BytesIO
 from pathlib import Path
 
 from kleinform.errors import MissingExtraError
+from kleinform.files import write_bytes
 from kleinform.plots.palette import STYLE
 
 try:
@@ -25,6 +25,4 @@ def write(draw: Callable[[], Figure], path: Path) -> None:
     drawn = BytesIO()
     with style.context(STYLE, after_reset=True):
         draw().savefig(drawn, format="svg", metadata={"Date": None})
-    aside = path.with_name(path.name + ".new")
-    aside.write_bytes(drawn.getvalue())
-    os.replace(aside, path)
+    write_bytes(path, drawn.getvalue())

@@ -50,14 +50,14 @@ class JsonSource:
             for index, value in enumerate(objects.values):
                 _check(value, names, objects.where, index)
             table: Table = {name: _column(objects, name) for name in names}
-            yield Block(table, objects.where, objects.done)
+            yield Block(table, objects.where, _cells(objects), objects.done)
 
 
 def _of_lines(block: LineBlock) -> Objects:
     values = []
     for row, line in enumerate(block.lines):
         try:
-            values.append(json.loads(line))
+            values.append(_loaded(line))
         except (ValueError, RecursionError) as error:
             raise InputError(f"{block.where(row)}: no JSON: {error}") from None
     return Objects(values, block.where, block.done)
@@ -66,13 +66,31 @@ def _of_lines(block: LineBlock) -> Objects:
 def _of_array(text: str, start: LineBlock) -> Iterator[Objects]:
     """The elements of one array, whose first line is given for its place."""
     try:
-        values = json.loads(text)
+        values = _loaded(text)
     except (ValueError, RecursionError) as error:
         raise InputError(f"{start.where(0)}: no JSON array: {error}") from None
     for first in range(0, len(values), ROWS):
         part = values[first : first + ROWS]
         done = (first + len(part)) / len(values)
         yield Objects(part, numbered(start.name, first), done)
+
+
+def _loaded(text: str) -> Any:
+    """What a text says, if it says it once."""
+    return json.loads(text, object_pairs_hook=_object)
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    found = dict(pairs)
+    if len(found) < len(pairs):
+        names = [name for name, _ in pairs]
+        twice = next(name for name in found if names.count(name) > 1)
+        raise ValueError(f"{twice} is there twice")
+    return found
+
+
+def _cells(objects: Objects) -> Callable[[int, str], str]:
+    return lambda row, name: _short(objects.values[row][name])
 
 
 def _check(value: Any, names: Sequence[str], where: Callable[[int], str], index: int) -> None:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from itertools import islice
 from typing import BinaryIO, TextIO
@@ -49,17 +50,13 @@ class Lines:
 
     def rest(self) -> str:
         """What was not read yet, as one text."""
-        try:
+        with self._named_errors():
             return self._text.read()
-        except UnicodeDecodeError as error:
-            raise self._not_text(error) from None
 
     def _next(self, count: int) -> LineBlock | None:
         """The next lines, None at the end."""
-        try:
+        with self._named_errors():
             lines = list(islice(self._text, count))
-        except UnicodeDecodeError as error:
-            raise self._not_text(error) from None
         if not lines:
             return None
         first = self._read + 1
@@ -68,8 +65,16 @@ class Lines:
         done = self._text.buffer.tell() / self._size if self._size else 0.0
         return LineBlock([line for _, line in numbered], [n for n, _ in numbered], self.name, done)
 
-    def _not_text(self, error: UnicodeDecodeError) -> InputError:
-        return InputError(f"{self.name}: not a text in UTF-8: {error}")
+    @contextmanager
+    def _named_errors(self) -> Iterator[None]:
+        """Errors of reading, with the name of what is read."""
+        try:
+            yield
+        except UnicodeDecodeError as error:
+            raise InputError(f"{self.name}: not a text in UTF-8: {error}") from None
+        except OSError as error:
+            error.filename = self.name
+            raise
 
 
 def _size(stream: BinaryIO) -> int:

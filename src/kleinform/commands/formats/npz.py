@@ -4,18 +4,19 @@ from __future__ import annotations
 
 import lzma
 import shutil
+import warnings
 import zipfile
 import zlib
 from collections.abc import Callable, Iterator, Sequence
 from contextlib import ExitStack, contextmanager
-from pathlib import Path
+from tempfile import TemporaryFile
 from tokenize import TokenError
 from typing import IO, Any, BinaryIO
 
 import numpy as np
 
 from kleinform.commands.columns import Array, Table
-from kleinform.commands.source import ROWS, Block, numbered
+from kleinform.commands.source import ROWS, Block, numbered, shown
 from kleinform.errors import InputError
 
 __all__ = ["NpzSource", "npz_writer"]
@@ -52,7 +53,9 @@ class NpzSource:
                 count = min(ROWS, rows - first)
                 table: Table = {member.name: member.read(count) for member in members}
                 done = (first + count) / max(rows, 1)
-                yield Block(table, numbered(self.name, first), done)
+                yield Block(table, numbered(self.name, first), shown(table), done)
+            for member in members:
+                member.close()
 
 
 class Member:
@@ -72,6 +75,8 @@ class Member:
                 f"{self._dtype} {shape} arrived"
             )
         self.rows: int = shape[0]
+        if self.rows < 0:
+            raise InputError(f"{source}: {name}: not an array: {self.rows} rows arrived")
 
     def read(self, count: int) -> Array:
         """The next rows."""
@@ -82,22 +87,35 @@ class Member:
         except BROKEN as error:
             raise InputError(f"{self._source}: {self.name}: cut off: {error}") from None
 
+    def close(self) -> None:
+        """After the last row there is nothing more."""
+        try:
+            more = self._stream.read(1)
+        except BROKEN as error:
+            raise InputError(f"{self._source}: {self.name}: damaged: {error}") from None
+        if more:
+            raise InputError(
+                f"{self._source}: {self.name}: more data than the {self.rows} rows of its header"
+            )
+
 
 def _header(stream: IO[bytes]) -> tuple[tuple[int, ...], bool, np.dtype[Any]]:
     version = np.lib.format.read_magic(stream)
-    if version == (1, 0):
-        return np.lib.format.read_array_header_1_0(stream)
-    if version in ((2, 0), (3, 0)):
-        return np.lib.format.read_array_header_2_0(stream)
+    with warnings.catch_warnings():
+        warnings.simplefilter("ignore")  # of headers that Python 2 wrote, which are read
+        if version == (1, 0):
+            return np.lib.format.read_array_header_1_0(stream)
+        if version in ((2, 0), (3, 0)):
+            return np.lib.format.read_array_header_2_0(stream)
     raise ValueError(f"its format has the version {version}")
 
 
 @contextmanager
-def npz_writer(path: Path) -> Iterator[Callable[[Table], None]]:
+def npz_writer(stream: BinaryIO, folder: str | None) -> Iterator[Callable[[Table], None]]:
     """Write tables to an archive, one below the other.
 
     How many rows there are is known at the end: until then the columns grow in files of
-    their own, beside the archive.
+    their own, without names, in a folder or where the system has such files.
     """
     with ExitStack() as stack:
         columns: dict[str, tuple[IO[bytes], np.dtype[Any]]] = {}
@@ -105,13 +123,13 @@ def npz_writer(path: Path) -> Iterator[Callable[[Table], None]]:
         def write(table: Table) -> None:
             for name, column in table.items():
                 if name not in columns:
-                    file = path.with_name(f"{name}.column").open("w+b")
-                    columns[name] = stack.enter_context(file), column.dtype
+                    file = stack.enter_context(TemporaryFile(dir=folder))
+                    columns[name] = file, column.dtype
                 spool, dtype = columns[name]
                 spool.write(column.astype(dtype).tobytes())
 
         yield write
-        with zipfile.ZipFile(path, "w") as archive:
+        with zipfile.ZipFile(stream, "w") as archive:
             for name, (spool, dtype) in columns.items():
                 info = zipfile.ZipInfo(f"{name}.npy")
                 # Words are stored at the width of the longest: most of it is empty.

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Callable
-from typing import Any, TextIO
+from typing import Any
 
 from numpy.typing import NDArray
 
@@ -16,29 +16,29 @@ __all__ = ["csv_writer", "json_writer"]
 JSON = {"nan": "null", "inf": "1e999", "-inf": "-1e999"}
 
 
-def csv_writer(stream: TextIO) -> Callable[[Table], None]:
+def csv_writer(out: Callable[[str], object]) -> Callable[[Table], None]:
     """Write tables, one below the other, with one line of names above the first."""
     named = False
 
     def write(table: Table) -> None:
         nonlocal named
         if not named:
-            stream.write(",".join(table) + "\n")
+            out(",".join(table) + "\n")
             named = True
         columns = [_texts(column) for column in table.values()]
-        stream.writelines(line + "\n" for line in map(",".join, zip(*columns, strict=True)))
+        out("".join(line + "\n" for line in map(",".join, zip(*columns, strict=True))))
 
     return write
 
 
-def json_writer(stream: TextIO) -> Callable[[Table], None]:
+def json_writer(out: Callable[[str], object]) -> Callable[[Table], None]:
     """Write tables as JSON lines: an object a row, a row a line."""
 
     def write(table: Table) -> None:
         keys = (json.dumps(name).replace("%", "%%") for name in table)
         template = "{" + ", ".join(f"{key}: %s" for key in keys) + "}\n"
         columns = [_json_texts(column) for column in table.values()]
-        stream.writelines(template % row for row in zip(*columns, strict=True))
+        out("".join(template % row for row in zip(*columns, strict=True)))
 
     return write
 
