@@ -9,6 +9,7 @@ from __future__ import annotations
 
 from typing import Any
 
+import numpy as np
 from numpy.typing import NDArray
 
 __all__ = ["dot", "product", "turned_by"]
@@ -16,8 +17,12 @@ __all__ = ["dot", "product", "turned_by"]
 Numbers = NDArray[Any]
 
 
+@np.errstate(all="ignore")
 def dot(one: Numbers, other: Numbers) -> Numbers:
-    """Σ_k ``one[..., k] other[..., k]``; leading axes broadcast."""
+    """Σ_k ``one[..., k] other[..., k]``; leading axes broadcast.
+
+    Rows that are not finite give NaN or inf without a warning, as those of `numpy.einsum` do.
+    """
     total = one[..., 0] * other[..., 0]
     for k in range(1, one.shape[-1]):
         total = total + one[..., k] * other[..., k]

@@ -19,18 +19,18 @@ ZEROS = (0, 0, 0, 0, 0, 0)
 @pytest.mark.parametrize(
     ("arguments", "start"),
     [
-        (("inverse", *POSE, "--rpy", 10, 3, 6), "roll: "),
-        (("inverse", *POSE, "--rpy", 1, -7, 6), "pitch: "),
-        (("singularity", *POSE, "--rpy", 1, 3, 60), "yaw: "),
-        (("classify", *POSE, "--rpy", 10, 3, 6), "roll: "),
-        (("velocity", *POSE, "--rpy", 10, 3, 6, "--twist", *ZEROS), "roll: "),
-        (("velocity", *POSE, "--rpy", 10, 3, 6, "--rates", *ZEROS), "roll: "),
+        (("inverse", *POSE, "--rpy", 10, 3, 6), "--rpy: roll: "),
+        (("inverse", *POSE, "--rpy", 1, -7, 6), "--rpy: pitch: "),
+        (("singularity", *POSE, "--rpy", 1, 3, 60), "--rpy: yaw: "),
+        (("classify", *POSE, "--rpy", 10, 3, 6), "--rpy: roll: "),
+        (("velocity", *POSE, "--rpy", 10, 3, 6, "--twist", *ZEROS), "--rpy: roll: "),
+        (("velocity", *POSE, "--rpy", 10, 3, 6, "--rates", *ZEROS), "--rpy: roll: "),
         (("forward", *JOINTS), "q5: "),
         (("forward", *JOINTS, "--errors", "nan"), "q5: "),
-        (("inverse", *POSE, "--rpy", 10, 3, 6, "--errors", "nan"), "roll: "),
-        (("workspace", "--rpy", 10, 3, 6), "roll: "),
-        (("singularities", "--rpy", 10, 3, 6), "roll: "),
-        (("trajectory", "--example", 1, "--start-rpy", 10, 3, 6), "roll: "),
+        (("inverse", *POSE, "--rpy", 10, 3, 6, "--errors", "nan"), "--rpy: roll: "),
+        (("workspace", "--rpy", 10, 3, 6), "--rpy: roll: "),
+        (("singularities", "--rpy", 10, 3, 6), "--rpy: roll: "),
+        (("trajectory", "--example", 1, "--start-rpy", 10, 3, 6), "--start-rpy: roll: "),
     ],
 )
 def test_options(run, arguments: tuple[object, ...], start: str) -> None:
