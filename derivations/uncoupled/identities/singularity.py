@@ -84,6 +84,7 @@ def factors() -> list[Identity]:
     return [
         computed_form(Unfolding(pose(), central_facts(), ("q6", "r")), "central"),
         computed_form(Unfolding(pose(), by_normal, ("n1", "m1", "c", "q6")), "wrist"),
+        computed_form(Unfolding(pose(), {}, named("tau sigma", *LIMBS)), "tilt"),
         computed_form(Unfolding(pose(), moments, kept), "orientation", QUATERNION_RELATION),
         Identity(
             "central times wrist",
