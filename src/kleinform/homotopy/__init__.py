@@ -11,7 +11,7 @@ powers of ``(1 - t)^(1/w)``, w the number of paths that wind around each other.
 """
 
 from kleinform.homotopy.cones import quadratics, solve_cones
+from kleinform.homotopy.endpoints import Endpoints, follow
 from kleinform.homotopy.total_degree import solve
-from kleinform.homotopy.tracker import Endpoints, follow
 
 __all__ = ["Endpoints", "follow", "quadratics", "solve", "solve_cones"]

@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import KleinformError
+from kleinform.homotopy.endpoints import Endpoints, follow
 from kleinform.homotopy.total_degree import MOST_TRIES, TIGHTER, persist, solve
-from kleinform.homotopy.tracker import PREDICTION, Endpoints, Homotopy, System, follow
+from kleinform.homotopy.tracker import PREDICTION, Homotopy, System
 
 __all__ = ["quadratics", "solve_cones"]
 

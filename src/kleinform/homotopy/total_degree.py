@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.homotopy.tracker import PREDICTION, Endpoints, Homotopy, System, follow
+from kleinform.homotopy.endpoints import Endpoints, follow
+from kleinform.homotopy.tracker import PREDICTION, Homotopy, System
 
 __all__ = ["MOST_TRIES", "TIGHTER", "persist", "solve"]
 

@@ -1,0 +1,158 @@
+"""Where paths end that Newton's method cannot follow to t = 1: Cauchy's integral around it.
+
+Near t = 1 a path is a series in powers of ``(1 - t)^(1/w)``, w its winding number: after w
+turns of t around 1 it is back where it was. The mean over these turns is its end, with an
+error that falls with a high power of the radius (Morgan, Sommese, Wampler, Numer. Math. 58,
+1991), and there t stays away from the singularity. The mean of ``log |x_0|`` falls by
+``v/w log 4`` from one circle to one of a quarter of its radius, where ``x_0`` begins with the
+power v (Jensen's formula): v is 0 for a finite end, and a positive integer at infinity.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, fields
+
+import numpy as np
+from numpy.typing import NDArray
+
+from kleinform.homotopy.tracker import SETTLED, Complex, Index, Mask, Real, Tracker, unit
+
+__all__ = ["NEAR", "SHORT", "SINGULAR", "endgame"]
+
+#: The largest radius of a circle, and ``1 - t`` from where a path tries to reach its end.
+NEAR = 2.0**-10
+#: Circles are each a quarter of the last; on the smallest, rounding spoils even a double root.
+CIRCLES = 15
+#: Points on a turn, and turns until a path counts as one that does not close.
+CORNERS = 8
+MOST_WINDINGS = 32
+#: A path is back where it was within this share of how far it went.
+CLOSED = 1e-3
+#: Steps of one path on one part of the endgame. Fewer than 12 are usual.
+SHORT = 64
+#: The ends from two circles agree; the second is then closer by about ``4**-CORNERS``.
+AGREEMENT = 1e-9
+RESIDUAL = 1e-12
+#: How far ``v`` may be from an integer.
+INTEGER = 0.1
+#: Reciprocal condition below which an end is singular. Rounding splits a double root into
+#: two that are 1e-8 apart, and the condition of each is one over that.
+SINGULAR = 1e-6
+
+
+@dataclass(frozen=True, eq=False)
+class _Circle:
+    """Paths around t = 1: an integral a path.
+
+    Attributes
+    ----------
+    windings : int array (P,)
+        Turns until a path was back where it was; 0 where it was not.
+    ends : complex array (P, n + 1)
+        Unit vectors.
+    logs : array (P,)
+        The mean of ``log |x_0|``, in the chart normal to the end.
+    noise : array (P,)
+        The last step of Newton's method, at most.
+    """
+
+    windings: Index
+    ends: Complex
+    logs: Real
+    noise: Real
+
+    def of(self, rows: Index | Mask) -> _Circle:
+        return _Circle(*(getattr(self, field.name)[rows] for field in fields(self)))
+
+
+def endgame(
+    tracker: Tracker, points: Complex, paths: Index
+) -> tuple[Complex, Real, NDArray[np.str_]]:
+    """The ends of paths from where they are at ``1 - t`` = NEAR, their condition and names."""
+    found, condition = points.copy(), np.full(len(points), np.inf)
+    status = np.full(len(points), "failed", dtype="<U8")
+    rest, radius = np.arange(len(points)), NEAR
+    last = _circle(tracker, points, paths, radius)
+    for _ in range(CIRCLES):
+        if not len(rest):
+            break
+        points, arrived = tracker.track(
+            points, paths[rest], 1.0 - radius, 1.0 - radius / 4.0, most=SHORT
+        )
+        radius /= 4.0
+        points, rest, last = points[arrived], rest[arrived], last.of(arrived)
+        circle = _circle(tracker, points, paths[rest], radius)
+        names, conditions = _names(tracker, last, circle, paths[rest])
+        known = names != "failed"
+        found[rest[known]] = circle.ends[known]
+        status[rest[known]], condition[rest[known]] = names[known], conditions[known]
+        # Rounding grows from circle to circle.
+        useful = ~known & (circle.noise <= AGREEMENT)
+        points, rest, last = points[useful], rest[useful], circle.of(useful)
+    return found, condition, status
+
+
+def _circle(tracker: Tracker, points: Complex, paths: Index, radius: float) -> _Circle:
+    """Follow paths around t = 1 until each is back where it was."""
+    charts, count = points.conj(), len(points)
+    first = points / np.sum(charts * points, axis=-1, keepdims=True)
+    sums, windings = np.zeros_like(points), np.zeros(count, dtype=np.intp)
+    logs, noise, spread = np.zeros((3, count))
+    points, open_ = points.copy(), np.arange(count)
+    for corner in range(MOST_WINDINGS * CORNERS):
+        start, end = (1.0 - radius * np.exp(2j * np.pi * k / CORNERS) for k in (corner, corner + 1))
+        reached, arrived = tracker.track(
+            points[open_], paths[open_], start, end, first=1.0, most=SHORT
+        )
+        open_ = open_[arrived]
+        points[open_], moved = tracker.refine(reached[arrived], paths[open_], end, 2)
+        sample = points[open_] / np.sum(charts[open_] * points[open_], axis=-1, keepdims=True)
+        away = np.linalg.norm(sample - first[open_], axis=-1)
+        sums[open_] += sample
+        with np.errstate(divide="ignore"):
+            logs[open_] += np.log(np.abs(sample[:, 0]))
+        noise[open_] = np.maximum(noise[open_], moved)
+        spread[open_] = np.maximum(spread[open_], away)
+        if (corner + 1) % CORNERS == 0:
+            back = away <= CLOSED * spread[open_] + SETTLED
+            windings[open_[back]] = (corner + 1) // CORNERS
+            open_ = open_[~back]
+        if not len(open_):
+            break
+    number = CORNERS * np.maximum(windings, 1)
+    means = sums / number[:, np.newaxis]
+    logs = logs / number - np.log(np.linalg.norm(means, axis=-1))
+    return _Circle(windings, unit(means), logs, noise)
+
+
+def _names(
+    tracker: Tracker, last: _Circle, circle: _Circle, paths: Index
+) -> tuple[NDArray[np.str_], Real]:
+    """What two circles say of the ends, and their condition; "failed": not enough.
+
+    An end that Newton's method finds is "regular", also at infinity.
+    """
+    ends, windings = circle.ends, circle.windings
+    along = np.sum(last.ends.conj() * ends, axis=-1, keepdims=True)
+    with np.errstate(all="ignore"):
+        change = np.linalg.norm(ends / along - last.ends, axis=-1)
+        power = windings * (last.logs - circle.logs) / np.log(4.0)
+    error = np.maximum(change, circle.noise)
+    agreed = (windings > 0) & (last.windings == windings) & (error <= AGREEMENT)
+    condition = np.full(len(ends), np.inf)
+    values, matrices = tracker.matrices(ends[agreed], paths[agreed])
+    condition[agreed] = np.linalg.cond(matrices)
+    agreed[agreed] = np.linalg.norm(values, axis=-1) <= RESIDUAL
+    sharp = condition <= 1.0 / SINGULAR
+    x_0 = np.abs(ends[:, 0])
+    integer = (np.abs(power - np.rint(power)) <= INTEGER) & (power > 0.5)
+    # All of the larger circle may be at infinity, to rounding: there is no power then.
+    vanishing = (x_0 <= error) & (integer | (np.exp(last.logs) <= error))
+    # Closer to infinity than that, a multiple end may be one or several at infinity.
+    resolved = x_0 >= SINGULAR
+    names = np.select(
+        [~agreed, sharp & (windings == 1), sharp, vanishing, resolved],
+        ["failed", "regular", "failed", "infinity", "singular"],
+        default="failed",
+    )
+    return names, condition
