@@ -92,7 +92,7 @@ def _between(start: Complex, ends: Real) -> Homotopy:
     """The way from one set of cones to many, with PAIRS paths to each."""
     change = ends - start
 
-    def homotopy(x: Complex, t: Real, paths: Index) -> tuple[Complex, Complex, Complex]:
+    def homotopy(x: Complex, t: Real | Complex, paths: Index) -> tuple[Complex, Complex, Complex]:
         moved, n = change[paths // PAIRS], _directions(x)
         values, by_x = quadratics(start + t[:, np.newaxis, np.newaxis, np.newaxis] * moved)(x)
         by_t = np.zeros_like(values)

@@ -4,33 +4,42 @@ Near t = 1 a path is a series in powers of ``(1 - t)^(1/w)``, w its winding numb
 turns of t around 1 it is back where it was. The mean over these turns is its end, with an
 error that falls with a high power of the radius (Morgan, Sommese, Wampler, Numer. Math. 58,
 1991), and there t stays away from the singularity. The mean of ``log |x_0|`` falls by
-``v/w log 4`` from one circle to one of a quarter of its radius, where ``x_0`` begins with the
+``v/w log 4`` from one circle to another of a quarter of its radius, where ``x_0`` begins with the
 power v (Jensen's formula): v is 0 for a finite end, and a positive integer at infinity.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, fields
+from dataclasses import dataclass, replace
+from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.homotopy.tracker import SETTLED, Complex, Index, Mask, Real, Tracker, unit
 
-__all__ = ["NEAR", "SHORT", "SINGULAR", "endgame"]
+__all__ = ["FAR", "NEAR", "SHORT", "SINGULAR", "Ends", "endgame"]
 
-#: The largest radius of a circle, and ``1 - t`` from where a path tries to reach its end.
-NEAR = 2.0**-10
-#: Circles are each a quarter of the last; on the smallest, rounding spoils even a double root.
-CIRCLES = 15
-#: Points on a turn, and turns until a path counts as one that does not close.
+#: Points, their condition, and names.
+Ends = tuple[Complex, Real, NDArray[np.str_]]
+
+#: ``1 - t`` from where a path tries to reach its end, and else circles around it, each a quarter
+#: of the last; on the smallest, rounding spoils even a double root.
+NEAR = tuple(4.0**-k for k in range(5, 21))
+#: Some paths go to infinity so fast that rounding spoils them sooner. Theirs are half the last.
+FAR = tuple(2.0**-k for k in range(2, 11))
+#: Points on a turn.
 CORNERS = 8
-MOST_WINDINGS = 32
+#: Turns until a path counts as one that does not close, on the first circle, and by how much
+#: more on each of the next ones: far from t = 1 a path may wind around other points, too.
+MOST_TURNS = 8
 #: A path is back where it was within this share of how far it went.
 CLOSED = 1e-3
 #: Steps of one path on one part of the endgame. Fewer than 12 are usual.
 SHORT = 64
-#: The ends from two circles agree; the second is then closer by about ``4**-CORNERS``.
+#: The error of the mean of CORNERS points a turn falls with that power of the radius; this one
+#: is counted on. What two circles then say of the error of the second is to be below AGREEMENT.
+ORDER = CORNERS - 2
 AGREEMENT = 1e-9
 RESIDUAL = 1e-12
 #: How far ``v`` may be from an integer.
@@ -46,6 +55,7 @@ class _Circle:
 
     Attributes
     ----------
+    radius : float
     windings : int array (P,)
         Turns until a path was back where it was; 0 where it was not.
     ends : complex array (P, n + 1)
@@ -56,32 +66,34 @@ class _Circle:
         The last step of Newton's method, at most.
     """
 
+    radius: float
     windings: Index
     ends: Complex
     logs: Real
     noise: Real
 
     def of(self, rows: Index | Mask) -> _Circle:
-        return _Circle(*(getattr(self, field.name)[rows] for field in fields(self)))
+        return replace(
+            self,
+            windings=self.windings[rows],
+            ends=self.ends[rows],
+            logs=self.logs[rows],
+            noise=self.noise[rows],
+        )
 
 
-def endgame(
-    tracker: Tracker, points: Complex, paths: Index
-) -> tuple[Complex, Real, NDArray[np.str_]]:
-    """The ends of paths from where they are at ``1 - t`` = NEAR, their condition and names."""
+def endgame(tracker: Tracker, points: Complex, paths: Index, radii: tuple[float, ...]) -> Ends:
+    """The ends of paths from where they are at the first radius, their condition and names."""
     found, condition = points.copy(), np.full(len(points), np.inf)
     status = np.full(len(points), "failed", dtype="<U8")
-    rest, radius = np.arange(len(points)), NEAR
-    last = _circle(tracker, points, paths, radius)
-    for _ in range(CIRCLES):
+    rest = np.arange(len(points))
+    last = _circle(tracker, points, paths, radii[0], MOST_TURNS)
+    for number, (before, radius) in enumerate(pairwise(radii), start=2):
         if not len(rest):
             break
-        points, arrived = tracker.track(
-            points, paths[rest], 1.0 - radius, 1.0 - radius / 4.0, most=SHORT
-        )
-        radius /= 4.0
+        points, arrived = tracker.track(points, paths[rest], 1.0 - before, 1.0 - radius, most=SHORT)
         points, rest, last = points[arrived], rest[arrived], last.of(arrived)
-        circle = _circle(tracker, points, paths[rest], radius)
+        circle = _circle(tracker, points, paths[rest], radius, number * MOST_TURNS)
         names, conditions = _names(tracker, last, circle, paths[rest])
         known = names != "failed"
         found[rest[known]] = circle.ends[known]
@@ -92,14 +104,14 @@ def endgame(
     return found, condition, status
 
 
-def _circle(tracker: Tracker, points: Complex, paths: Index, radius: float) -> _Circle:
+def _circle(tracker: Tracker, points: Complex, paths: Index, radius: float, turns: int) -> _Circle:
     """Follow paths around t = 1 until each is back where it was."""
     charts, count = points.conj(), len(points)
     first = points / np.sum(charts * points, axis=-1, keepdims=True)
     sums, windings = np.zeros_like(points), np.zeros(count, dtype=np.intp)
     logs, noise, spread = np.zeros((3, count))
     points, open_ = points.copy(), np.arange(count)
-    for corner in range(MOST_WINDINGS * CORNERS):
+    for corner in range(turns * CORNERS):
         start, end = (1.0 - radius * np.exp(2j * np.pi * k / CORNERS) for k in (corner, corner + 1))
         reached, arrived = tracker.track(
             points[open_], paths[open_], start, end, first=1.0, most=SHORT
@@ -121,8 +133,9 @@ def _circle(tracker: Tracker, points: Complex, paths: Index, radius: float) -> _
             break
     number = CORNERS * np.maximum(windings, 1)
     means = sums / number[:, np.newaxis]
-    logs = logs / number - np.log(np.linalg.norm(means, axis=-1))
-    return _Circle(windings, unit(means), logs, noise)
+    with np.errstate(divide="ignore"):
+        logs = logs / number - np.log(np.linalg.norm(means, axis=-1))
+    return _Circle(radius, windings, unit(means), logs, noise)
 
 
 def _names(
@@ -136,8 +149,8 @@ def _names(
     along = np.sum(last.ends.conj() * ends, axis=-1, keepdims=True)
     with np.errstate(all="ignore"):
         change = np.linalg.norm(ends / along - last.ends, axis=-1)
-        power = windings * (last.logs - circle.logs) / np.log(4.0)
-    error = np.maximum(change, circle.noise)
+        power = windings * (last.logs - circle.logs) / np.log(last.radius / circle.radius)
+    error = np.maximum(change * (circle.radius / last.radius) ** ORDER, circle.noise)
     agreed = (windings > 0) & (last.windings == windings) & (error <= AGREEMENT)
     condition = np.full(len(ends), np.inf)
     values, matrices = tracker.matrices(ends[agreed], paths[agreed])

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.homotopy import tracker as tracking
-from kleinform.homotopy.endgame import NEAR, SHORT, SINGULAR, endgame
+from kleinform.homotopy.endgame import FAR, NEAR, SHORT, SINGULAR, Ends, endgame
 from kleinform.homotopy.tracker import (
     PREDICTION,
     SETTLED,
@@ -70,24 +70,43 @@ def follow(homotopy: Homotopy, starts: Complex, prediction: float = PREDICTION) 
     """
     count = len(starts)
     tracker = Tracker(homotopy, prediction, np.zeros(count, dtype=np.intp))
-    points, paths = unit(starts), np.arange(count)
-    condition, status = np.full(count, np.inf), np.full(count, "failed", dtype="<U8")
-    points, alive = tracker.track(points, paths, 0.0, 1.0 - NEAR, most=tracking.MOST_STEPS)
-    rest = np.flatnonzero(alive)
-    ends, arrived = tracker.track(points[rest], rest, 1.0 - NEAR, 1.0, most=SHORT)
-    conditions = np.full(len(rest), np.inf)
-    conditions[arrived] = np.linalg.cond(tracker.matrices(ends[arrived], rest[arrived])[1])
-    sharp = conditions <= 1.0 / SINGULAR
-    names = np.where(sharp, "regular", "failed").astype("<U8")
-    ends[~sharp], conditions[~sharp], names[~sharp] = endgame(
-        tracker, points[rest[~sharp]], rest[~sharp]
-    )
-    points[rest], condition[rest], status[rest] = ends, conditions, names
+    starts = unit(starts)
+    points, condition, status = _ends(tracker, starts)
+    lost = np.flatnonzero(status == "failed")
+    points[lost], condition[lost], status[lost] = _far_ends(tracker, starts[lost], lost)
     simple = np.flatnonzero(status == "regular")
     points[simple], status[simple] = _simple(tracker, points[simple], simple)
     phase = np.where(points[:, 0] == 0.0, 1.0, np.exp(-1j * np.angle(points[:, 0])))
     tries = np.ones(count, dtype=np.intp)
     return Endpoints(points * phase[:, np.newaxis], status, condition, tracker.steps, tries)
+
+
+def _ends(tracker: Tracker, starts: Complex) -> Ends:
+    """The ends of paths, of most by Newton's method."""
+    near, paths = NEAR[0], np.arange(len(starts))
+    points, alive = tracker.track(starts, paths, 0.0, 1.0 - near, most=tracking.MOST_STEPS)
+    rest = np.flatnonzero(alive)
+    ends, arrived = tracker.track(points[rest], rest, 1.0 - near, 1.0, most=SHORT)
+    condition, status = np.full(len(starts), np.inf), np.full(len(starts), "failed", dtype="<U8")
+    reached = rest[arrived]
+    condition[reached] = np.linalg.cond(tracker.matrices(ends[arrived], reached)[1])
+    sharp = condition <= 1.0 / SINGULAR
+    status[sharp] = "regular"
+    circled = np.flatnonzero(alive & ~sharp)
+    condition[circled] = np.inf
+    found = endgame(tracker, points[circled], circled, NEAR)
+    points[sharp] = ends[sharp[rest]]
+    points[circled], condition[circled], status[circled] = found
+    return points, condition, status
+
+
+def _far_ends(tracker: Tracker, starts: Complex, paths: Index) -> Ends:
+    """The ends of paths that rounding spoils near t = 1, from larger circles."""
+    points, alive = tracker.track(starts, paths, 0.0, 1.0 - FAR[0], most=tracking.MOST_STEPS)
+    condition, status = np.full(len(starts), np.inf), np.full(len(starts), "failed", dtype="<U8")
+    found = endgame(tracker, points[alive], paths[alive], FAR)
+    points[alive], condition[alive], status[alive] = found
+    return points, condition, status
 
 
 def _simple(tracker: Tracker, points: Complex, paths: Index) -> tuple[Complex, NDArray[np.str_]]:

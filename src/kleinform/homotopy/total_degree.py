@@ -95,7 +95,7 @@ def _repeated(found: Endpoints, mirror: Real) -> Mask:
 def _total_degree(system: System, powers: Index, gamma: Complex) -> Homotopy:
     """From ``x_i^d_i = x_0^d_i`` to a system; gamma turns the straight way off all others."""
 
-    def homotopy(x: Complex, t: Real, _: Index) -> tuple[Complex, Complex, Complex]:
+    def homotopy(x: Complex, t: Real | Complex, _: Index) -> tuple[Complex, Complex, Complex]:
         values, derivatives = system(x)
         start = gamma * (x[:, 1:] ** powers - x[:, :1] ** powers)
         by_x = np.zeros_like(derivatives)

@@ -73,7 +73,8 @@ class Tracker:
         while len(active):
             left = 1.0 - shares[active]
             size = np.minimum(sizes[active], left)
-            times, steps = start + shares[active] * (end - start), size * (end - start)
+            times = np.asarray(start + shares[active] * (end - start))
+            steps = np.asarray(size * (end - start))
             reached, good, growth = self._step(points[active], times, steps, paths[active])
             moved = active[good]
             points[moved] = reached[good]
