@@ -69,7 +69,7 @@ def parsed(names: str, *polynomials: str) -> Polynomials:
 
     def terms(text: str) -> Polynomial:
         found: dict[tuple[int, ...], complex] = {}
-        words, sign = text.split() + ["+"], 1.0
+        words, sign = [*text.split(), "+"], 1.0
         coefficient, variables = 1.0, list[int]()
         for position, word in enumerate(words):
             if word in ("+", "-"):

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import itertools
 from collections import Counter
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import mpmath
@@ -13,7 +14,7 @@ import pytest
 from kleinform.homotopy import Endpoints, solve
 from tests.runtime import polynomial_systems as systems
 from tests.runtime.polynomial_systems import Benchmark, Polynomials
-from tests.support import many
+from tests.support import EPS, many
 
 #: A multiple point that is closer to infinity may stay without a name; see `Endpoints`.
 RESOLVED = 1e-6
@@ -60,9 +61,7 @@ def planted(rng: np.random.Generator) -> Planted:
         {
             powers: coefficient()
             for powers in itertools.product(range(degree + 1), repeat=n)
-            if sum(powers) <= degree
-            and sum(powers) >= order[0]
-            and degree - powers[0] >= order[1]
+            if sum(powers) <= degree and sum(powers) >= order[0] and degree - powers[0] >= order[1]
         }
         for degree, order in zip(degrees, orders.T, strict=True)
     ]
@@ -146,10 +145,49 @@ def search(count: int) -> Counter[str]:
     return total
 
 
+BENCHMARKS: dict[str, Callable[[], Benchmark]] = {
+    "katsura5": lambda: systems.katsura(5),
+    "noon3": lambda: systems.noon(3),
+    "reimer4": lambda: systems.reimer(4),
+    "trinks": systems.trinks,
+}
+LARGE: dict[str, Callable[[], Benchmark]] = {
+    "katsura6": lambda: systems.katsura(6),
+    "noon4": lambda: systems.noon(4),
+    "eco5": lambda: systems.eco(5),
+    "cyclic5": lambda: systems.cyclic(5),
+    "eco6": lambda: systems.eco(6),
+    "puma": systems.puma,
+    "cyclic6": lambda: systems.cyclic(6),
+    "reimer5": lambda: systems.reimer(5),
+}
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("name", many(list(BENCHMARKS), [*BENCHMARKS, *LARGE]))
+def test_benchmark_systems(name: str) -> None:
+    """As many simple solutions as are known; every other path ends at infinity."""
+    system, solutions = {**BENCHMARKS, **LARGE}[name]()
+    found = solve(system, system.degrees, seed=0)
+    names = Counter(found.status.tolist())
+    assert names == +Counter(regular=solutions, infinity=system.paths - solutions)
+    regular = found.points[found.status == "regular"]
+    assert np.max(np.abs(system(regular)[0])) <= 1e-13
+
+
+@pytest.mark.parametrize("size", [1e3, 2e7, 1e9, 1e12])
+def test_large_simple_roots(size: float) -> None:
+    """x = size is a solution like any other, known to eps of its unit vector."""
+    system = systems.parsed("xy", f"x - {size!r}", "x y - x + y y - 3")
+    found = solve(system, system.degrees, seed=0)
+    assert list(found.status) == ["regular", "regular"]
+    assert np.max(np.abs(found.points[:, 1] / found.points[:, 0] / size - 1.0)) <= 8.0 * EPS * size
+
+
 @pytest.mark.long
 def test_every_name_is_true() -> None:
     """No wrong one; those without a name are multiple points nearly at infinity."""
-    total = search(many(12, 300))
+    total = search(many(6, 300))
     assert {name for name in total if name.startswith("wrong")} == set()
     assert total["missed"] == 0
     assert total["failed"] <= 0.02 * total["right"]

@@ -37,10 +37,16 @@ class Endpoints:
     points : complex array (..., n + 1)
         Unit vectors whose x_0 is real and not negative: a real solution has a real vector.
     status : array (...) of str
-        ``"regular"``, ``"singular"`` (a multiple solution, or one of a continuum),
-        ``"infinity"``, or ``"failed"``: the path was lost, and the point is where.
+        - ``"regular"``: a simple solution to which Newton's method converges, of a condition
+          of at most 1e6, with ``|x_0|`` above its rounding error.
+        - ``"singular"``: a multiple solution, or one of a continuum, with ``|x_0|`` above 1e-6.
+          Solutions that are about 1e-6 apart count as one.
+        - ``"infinity"``: x_0 = 0 within its error. Where Newton's method does not converge,
+          x_0 falls along the path with a positive power of ``1 - t``.
+        - ``"failed"``: the path was lost, or its end is none of these for certain. The point
+          is where it was lost.
     condition : array (...)
-        Of the system's derivatives in the chart normal to the point.
+        Of the system's derivatives in the chart normal to the point; infinite where failed.
     steps : int array (...)
         Steps of the path, the rejected ones included.
     tries : int array (...)
@@ -86,7 +92,7 @@ def _ends(tracker: Tracker, starts: Complex) -> Ends:
     near, paths = NEAR[0], np.arange(len(starts))
     points, alive = tracker.track(starts, paths, 0.0, 1.0 - near, most=tracking.MOST_STEPS)
     rest = np.flatnonzero(alive)
-    ends, arrived = tracker.track(points[rest], rest, 1.0 - near, 1.0, most=SHORT)
+    ends, arrived = tracker.track(points[rest], rest, 1.0 - near, 1.0, first=1.0, most=SHORT)
     condition, status = np.full(len(starts), np.inf), np.full(len(starts), "failed", dtype="<U8")
     reached = rest[arrived]
     condition[reached] = np.linalg.cond(tracker.matrices(ends[arrived], reached)[1])

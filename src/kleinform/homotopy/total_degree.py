@@ -58,7 +58,10 @@ def solve(system: System, degrees: tuple[int, ...], *, seed: int) -> Endpoints:
 def persist(
     attempt: Callable[[int, Index], Endpoints], shape: tuple[int, int], mirror: Real
 ) -> Endpoints:
-    """Solve problems of some paths each, and anew those where a path failed or met another."""
+    """Solve problems of some paths each, and anew those where a path failed or met another.
+
+    Of several tries the one with the fewest failures counts.
+    """
     todo = np.arange(shape[0])
     for number in range(MOST_TRIES):
         parts = _parts(attempt(number, todo))
@@ -68,9 +71,12 @@ def persist(
         if number == 0:
             whole = found
         else:
-            found.steps[...] += whole.steps[todo]
+            whole.steps[todo] += found.steps
+            whole.tries[todo] = found.tries
+            found.steps[...] = whole.steps[todo]
+            better = _failures(found) < _failures(whole)[todo]
             for kept, part in zip(_parts(whole), _parts(found), strict=True):
-                kept[todo] = part
+                kept[todo[better]] = part[better]
         todo = np.flatnonzero(np.any(whole.status == "failed", axis=-1))
         if not len(todo):
             break
@@ -79,6 +85,11 @@ def persist(
 
 def _parts(found: Endpoints) -> list[NDArray[Any]]:
     return [getattr(found, field.name) for field in fields(found)]
+
+
+def _failures(found: Endpoints) -> Index:
+    """How many paths of each problem failed."""
+    return np.asarray(np.count_nonzero(found.status == "failed", axis=-1))
 
 
 def _repeated(found: Endpoints, mirror: Real) -> Mask:
