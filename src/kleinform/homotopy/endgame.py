@@ -11,7 +11,6 @@ power v (Jensen's formula): v is 0 for a finite end, and a positive integer at i
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from itertools import pairwise
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,16 +22,14 @@ __all__ = ["FAR", "NEAR", "SHORT", "SINGULAR", "Ends", "endgame"]
 #: Points, their condition, and names.
 Ends = tuple[Complex, Real, NDArray[np.str_]]
 
-#: ``1 - t`` from where a path tries to reach its end, and else circles around it, each a quarter
-#: of the last; on the smallest, rounding spoils even a double root.
-NEAR = tuple(4.0**-k for k in range(5, 21))
-#: Some paths go to infinity so fast that rounding spoils them sooner. Theirs are half the last.
-FAR = tuple(2.0**-k for k in range(2, 11))
+#: The radii of circles around t = 1, and the turns until a path counts as one that does not
+#: close: far from t = 1 it may wind around other points, too. On the smallest circle rounding
+#: spoils even a double root.
+NEAR = tuple((4.0**-k, min(8 * (k - 4), 32)) for k in range(5, 21))
+#: Some paths go to infinity so fast that rounding spoils them sooner; few wind around others.
+FAR = tuple((2.0**-k, 8) for k in range(2, 11))
 #: Points on a turn.
 CORNERS = 8
-#: Turns until a path counts as one that does not close, on the first circle, and by how much
-#: more on each of the next ones: far from t = 1 a path may wind around other points, too.
-MOST_TURNS = 8
 #: A path is back where it was within this share of how far it went.
 CLOSED = 1e-3
 #: Steps of one path on one part of the endgame. Fewer than 12 are usual.
@@ -82,18 +79,23 @@ class _Circle:
         )
 
 
-def endgame(tracker: Tracker, points: Complex, paths: Index, radii: tuple[float, ...]) -> Ends:
-    """The ends of paths from where they are at the first radius, their condition and names."""
+def endgame(
+    tracker: Tracker, points: Complex, paths: Index, circles: tuple[tuple[float, int], ...]
+) -> Ends:
+    """The ends of paths from where they are on the first circle, their condition and names."""
     found, condition = points.copy(), np.full(len(points), np.inf)
     status = np.full(len(points), "failed", dtype="<U8")
     rest = np.arange(len(points))
-    last = _circle(tracker, points, paths, radii[0], MOST_TURNS)
-    for number, (before, radius) in enumerate(pairwise(radii), start=2):
+    last = _circle(tracker, points, paths, points, *circles[0])
+    for radius, turns in circles[1:]:
         if not len(rest):
             break
-        points, arrived = tracker.track(points, paths[rest], 1.0 - before, 1.0 - radius, most=SHORT)
+        start, end = 1.0 - last.radius, 1.0 - radius
+        points, arrived = tracker.track(points, paths[rest], start, end, most=SHORT)
         points, rest, last = points[arrived], rest[arrived], last.of(arrived)
-        circle = _circle(tracker, points, paths[rest], radius, number * MOST_TURNS)
+        # The chart normal to the end, as far as it is known, has no point at infinity nearby.
+        centres = np.where(last.windings[:, np.newaxis] > 0, last.ends, points)
+        circle = _circle(tracker, points, paths[rest], centres, radius, turns)
         names, conditions = _names(tracker, last, circle, paths[rest])
         known = names != "failed"
         found[rest[known]] = circle.ends[known]
@@ -104,9 +106,11 @@ def endgame(tracker: Tracker, points: Complex, paths: Index, radii: tuple[float,
     return found, condition, status
 
 
-def _circle(tracker: Tracker, points: Complex, paths: Index, radius: float, turns: int) -> _Circle:
-    """Follow paths around t = 1 until each is back where it was."""
-    charts, count = points.conj(), len(points)
+def _circle(
+    tracker: Tracker, points: Complex, paths: Index, centres: Complex, radius: float, turns: int
+) -> _Circle:
+    """Follow paths around t = 1 until each is back; means in the charts normal to centres."""
+    charts, count = centres.conj(), len(points)
     first = points / np.sum(charts * points, axis=-1, keepdims=True)
     sums, windings = np.zeros_like(points), np.zeros(count, dtype=np.intp)
     logs, noise, spread = np.zeros((3, count))
@@ -150,6 +154,7 @@ def _names(
     with np.errstate(all="ignore"):
         change = np.linalg.norm(ends / along - last.ends, axis=-1)
         power = windings * (last.logs - circle.logs) / np.log(last.radius / circle.radius)
+        integer = (np.abs(power - np.rint(power)) <= INTEGER) & (power > 0.5)
     error = np.maximum(change * (circle.radius / last.radius) ** ORDER, circle.noise)
     agreed = (windings > 0) & (last.windings == windings) & (error <= AGREEMENT)
     condition = np.full(len(ends), np.inf)
@@ -158,7 +163,6 @@ def _names(
     agreed[agreed] = np.linalg.norm(values, axis=-1) <= RESIDUAL
     sharp = condition <= 1.0 / SINGULAR
     x_0 = np.abs(ends[:, 0])
-    integer = (np.abs(power - np.rint(power)) <= INTEGER) & (power > 0.5)
     # All of the larger circle may be at infinity, to rounding: there is no power then.
     vanishing = (x_0 <= error) & (integer | (np.exp(last.logs) <= error))
     # Closer to infinity than that, a multiple end may be one or several at infinity.

@@ -89,7 +89,7 @@ def follow(homotopy: Homotopy, starts: Complex, prediction: float = PREDICTION) 
 
 def _ends(tracker: Tracker, starts: Complex) -> Ends:
     """The ends of paths, of most by Newton's method."""
-    near, paths = NEAR[0], np.arange(len(starts))
+    near, paths = NEAR[0][0], np.arange(len(starts))
     points, alive = tracker.track(starts, paths, 0.0, 1.0 - near, most=tracking.MOST_STEPS)
     rest = np.flatnonzero(alive)
     ends, arrived = tracker.track(points[rest], rest, 1.0 - near, 1.0, first=1.0, most=SHORT)
@@ -108,7 +108,7 @@ def _ends(tracker: Tracker, starts: Complex) -> Ends:
 
 def _far_ends(tracker: Tracker, starts: Complex, paths: Index) -> Ends:
     """The ends of paths that rounding spoils near t = 1, from larger circles."""
-    points, alive = tracker.track(starts, paths, 0.0, 1.0 - FAR[0], most=tracking.MOST_STEPS)
+    points, alive = tracker.track(starts, paths, 0.0, 1.0 - FAR[0][0], most=tracking.MOST_STEPS)
     condition, status = np.full(len(starts), np.inf), np.full(len(starts), "failed", dtype="<U8")
     found = endgame(tracker, points[alive], paths[alive], FAR)
     points[alive], condition[alive], status[alive] = found
