@@ -60,7 +60,7 @@ class _Circle:
     logs : array (P,)
         The mean of ``log |x_0|``, in the chart normal to the end.
     noise : array (P,)
-        The last step of Newton's method, at most.
+        The last step of Newton's method, at most, or how far from its start a path came back.
     """
 
     radius: float
@@ -132,6 +132,7 @@ def _circle(
         if (corner + 1) % CORNERS == 0:
             back = away <= CLOSED * spread[open_] + SETTLED
             windings[open_[back]] = (corner + 1) // CORNERS
+            noise[open_[back]] = np.maximum(noise[open_[back]], away[back])
             open_ = open_[~back]
         if not len(open_):
             break
