@@ -6,12 +6,13 @@ Kutta's method of order four predicts, two steps of Newton's method correct, and
 first of them goes sets the size of the next step. Points are projective,
 ``x = (x_0, ..., x_n)`` with the solution ``x_i / x_0``: every step works in the affine chart
 that is normal to its own start, so that a path to infinity is a path like any other. Where a
-path ends at a singular solution, Newton's method does not; there its end is extrapolated by
-powers of ``(1 - t)^(1/w)``, w the number of paths that wind around each other.
+path ends at a singular solution, or at infinity, Newton's method may not converge; there its
+end is the mean over a circle of t around 1, on which w paths wind around each other. A path
+ends at infinity where x_0 falls with a positive power of ``1 - t`` from circle to circle.
 """
 
 from kleinform.homotopy.cones import quadratics, solve_cones
+from kleinform.homotopy.endpoints import Endpoints, follow
 from kleinform.homotopy.total_degree import solve
-from kleinform.homotopy.tracker import Endpoints, follow
 
 __all__ = ["Endpoints", "follow", "quadratics", "solve", "solve_cones"]

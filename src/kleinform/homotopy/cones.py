@@ -8,8 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kleinform.errors import KleinformError
+from kleinform.homotopy.endpoints import Endpoints, follow
 from kleinform.homotopy.total_degree import MOST_TRIES, TIGHTER, persist, solve
-from kleinform.homotopy.tracker import PREDICTION, Endpoints, Homotopy, System, follow
+from kleinform.homotopy.tracker import PREDICTION, Homotopy, System
 
 __all__ = ["quadratics", "solve_cones"]
 
@@ -91,7 +92,7 @@ def _between(start: Complex, ends: Real) -> Homotopy:
     """The way from one set of cones to many, with PAIRS paths to each."""
     change = ends - start
 
-    def homotopy(x: Complex, t: Real, paths: Index) -> tuple[Complex, Complex, Complex]:
+    def homotopy(x: Complex, t: Real | Complex, paths: Index) -> tuple[Complex, Complex, Complex]:
         moved, n = change[paths // PAIRS], _directions(x)
         values, by_x = quadratics(start + t[:, np.newaxis, np.newaxis, np.newaxis] * moved)(x)
         by_t = np.zeros_like(values)

@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from kleinform.homotopy.tracker import PREDICTION, Endpoints, Homotopy, System, follow
+from kleinform.homotopy.endpoints import Endpoints, follow
+from kleinform.homotopy.tracker import PREDICTION, Homotopy, System
 
 __all__ = ["MOST_TRIES", "TIGHTER", "persist", "solve"]
 
@@ -57,7 +58,10 @@ def solve(system: System, degrees: tuple[int, ...], *, seed: int) -> Endpoints:
 def persist(
     attempt: Callable[[int, Index], Endpoints], shape: tuple[int, int], mirror: Real
 ) -> Endpoints:
-    """Solve problems of some paths each, and anew those where a path failed or met another."""
+    """Solve problems of some paths each, and anew those where a path failed or met another.
+
+    Of several tries the one with the fewest failures counts.
+    """
     todo = np.arange(shape[0])
     for number in range(MOST_TRIES):
         parts = _parts(attempt(number, todo))
@@ -67,9 +71,12 @@ def persist(
         if number == 0:
             whole = found
         else:
-            found.steps[...] += whole.steps[todo]
+            whole.steps[todo] += found.steps
+            whole.tries[todo] = found.tries
+            found.steps[...] = whole.steps[todo]
+            better = _failures(found) < _failures(whole)[todo]
             for kept, part in zip(_parts(whole), _parts(found), strict=True):
-                kept[todo] = part
+                kept[todo[better]] = part[better]
         todo = np.flatnonzero(np.any(whole.status == "failed", axis=-1))
         if not len(todo):
             break
@@ -78,6 +85,11 @@ def persist(
 
 def _parts(found: Endpoints) -> list[NDArray[Any]]:
     return [getattr(found, field.name) for field in fields(found)]
+
+
+def _failures(found: Endpoints) -> Index:
+    """How many paths of each problem failed."""
+    return np.asarray(np.count_nonzero(found.status == "failed", axis=-1))
 
 
 def _repeated(found: Endpoints, mirror: Real) -> Mask:
@@ -94,7 +106,7 @@ def _repeated(found: Endpoints, mirror: Real) -> Mask:
 def _total_degree(system: System, powers: Index, gamma: Complex) -> Homotopy:
     """From ``x_i^d_i = x_0^d_i`` to a system; gamma turns the straight way off all others."""
 
-    def homotopy(x: Complex, t: Real, _: Index) -> tuple[Complex, Complex, Complex]:
+    def homotopy(x: Complex, t: Real | Complex, _: Index) -> tuple[Complex, Complex, Complex]:
         values, derivatives = system(x)
         start = gamma * (x[:, 1:] ** powers - x[:, :1] ** powers)
         by_x = np.zeros_like(derivatives)
