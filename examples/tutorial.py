@@ -22,7 +22,7 @@ print("C arrives at", platform.positions[-1].round(12), "m")
 print("fastest turn", np.linalg.norm(platform.twists[:, :3], axis=1).max().round(6), "rad/s")
 limits = kleinform.Limits({"q3": (0.5, 1.2)})
 watch = robot.watch(motion, 501, start_rotation=rotation, limits=limits)
-print("met first:", watch.first)
+print("met first:", watch.first.name, "at", round(watch.first.time, 8), "s")
 
 checked = follow(assembled(platform.positions[0], rotation), motion.sampled(501)).platform
 for mine, theirs in zip(platform[1:], checked[1:], strict=True):

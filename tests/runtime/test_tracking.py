@@ -223,7 +223,8 @@ def test_joint_ranges(joint: int, value: float) -> None:
 def test_bad_arguments() -> None:
     broken = JOINTS.copy()
     broken[0, 3] = np.nan
-    with pytest.raises(NotFiniteError, match=r"joints: NaN or inf; \[1.0, 1.2, 0.9, nan, 1.2, 1.05\] arrived, first at pose 0"):
+    arrived = r"joints: NaN or inf; \[1.0, 1.2, 0.9, nan, 1.2, 1.05\] arrived, first at pose 0"
+    with pytest.raises(NotFiniteError, match=arrived):
         ROBOT.track(broken, HOME[1])
     with pytest.raises(DtypeError, match="joints: "):
         ROBOT.track(JOINTS + 0j, HOME[1])
