@@ -28,6 +28,9 @@ from tests.runtime.company import (
 )
 from tests.support import many, random_cases
 
+#: Some of so many poses are near a singularity, on purpose.
+pytestmark = pytest.mark.filterwarnings("ignore::kleinform.SingularityWarning")
+
 ROBOT = UncoupledManipulator()
 COUNT = many(48, 2000)
 POSITION, ROTATION = any_poses(np.random.default_rng(21), COUNT)

@@ -41,17 +41,18 @@ def ratios(case: Case) -> set[float]:
     survey = kernels.survey(*case)
     heading = case.position[:2] if case.position[:2].any() else np.array([1.0, 0.0])
     forward = kernels.forward_velocity(*case, heading, TWIST)
-    pairs = [
-        *((getattr(survey, name), getattr(survey, f"{name}_scale"))
-          for name in ("limb", "extension", "central", "wrist", "orientation")),
-        *((getattr(forward, name), getattr(forward, f"{name}_scale"))
-          for name in ("extension", "orientation")),
-        (forward.incidence, 1.0),
-        (forward.scaled_legs, forward.reach),
-        (survey.joints[:3] * abs(forward.incidence), forward.reach),
-        (forward.radial, forward.central_length),
-    ]  # fmt: skip
+    # B_i is at infinity where n_i·u_i = 0.
     with np.errstate(all="ignore"):
+        pairs = [
+            *((getattr(survey, name), getattr(survey, f"{name}_scale"))
+              for name in ("limb", "extension", "central", "wrist", "orientation")),
+            *((getattr(forward, name), getattr(forward, f"{name}_scale"))
+              for name in ("extension", "orientation")),
+            (forward.incidence, 1.0),
+            (forward.scaled_legs, forward.reach),
+            (survey.joints[:3] * abs(forward.incidence), forward.reach),
+            (forward.radial, forward.central_length),
+        ]  # fmt: skip
         found = np.concatenate([np.ravel(abs(value) / scale) for value, scale in pairs])
     return {float(ratio) for ratio in found if np.isfinite(ratio)}
 

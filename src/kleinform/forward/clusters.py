@@ -7,7 +7,7 @@ from numpy.typing import NDArray
 
 from kleinform.forward.apart import radii_of_directions
 from kleinform.forward.circle import Rows
-from kleinform.forward.folds import folds, split
+from kleinform.forward.folds import Folds, folds, split
 from kleinform.forward.found import Found, found, together
 from kleinform.forward.pencil import PAIRS, pairs_of
 from kleinform.forward.polish import CONVERGED, polished, turn_by
@@ -209,10 +209,27 @@ def _group(row: Rows, pairs: Complex, tolerance: float) -> Modes | None:
         return _couple(row, pairs)
     if near.merged[0]:
         return [near.directions[0]], [2]
+    if _copies(pairs, near):
+        return None
     if not near.apart[0]:
         return [], []
     both, sure = split(row, index, near, near.apart)
     return (list(both[:, 0]), [1, 1]) if sure.all() else None
+
+
+def _copies(pairs: Complex, near: Folds) -> bool:
+    """Whether two solutions that should lie on both sides of a fold lie on one, and away from it.
+
+    Without real modes the sides are those of the imaginary direction.
+    """
+    center, free = near.directions[0], near.free[0]
+    along = np.cross(free, center).ravel()
+    offsets = (pairs - center).reshape(2, 6) @ along / (along @ along)
+    if near.apart[0]:
+        one, other = offsets.real
+        return bool(one * other > 0.0 and min(abs(one), abs(other)) > 0.5 * near.reach[0])
+    one, other = offsets.imag
+    return bool(one * other > 0.0)
 
 
 def _single(row: Rows, pair: Complex) -> Modes | None:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -27,9 +28,15 @@ from kleinform.generated import kernels
 from kleinform.joints import TOLERANCE, screened_joints
 from kleinform.screening import Errors, is_whole, lead_of, real_array
 
+if TYPE_CHECKING:
+    from kleinform.forward.certificate import Certificate
+
 __all__ = ["all_modes", "all_modes_batch", "start_of"]
 
 Array = NDArray[np.float64]
+
+#: Listed modes farther than this from the proven ones are replaced by them.
+SHARP = 1e-9
 
 LISTED = (
     "rotation",
@@ -130,7 +137,7 @@ def _certified(radius: float, modes: AssemblyModes) -> AssemblyModes:
     if not proof.complete:
         pairs = np.concatenate([pairs, mirrored(unit, pairs), _by_homotopy(unit)])
         proof = certify(radius, modes.joints, modes.tolerance, pairs)
-    if proof.complete and (modes.status == STATUS[UNDECIDED] or proof.real != len(modes)):
+    if proof.complete and not _are_proven(modes, proof):
         proven = found(np.zeros(proof.real, np.int64), proof.centers[proof.is_real].real, 1)
         agreed = proof.chart == "directions"
         modes = _relisted(modes, completed(row, proven), agreed)
@@ -138,6 +145,21 @@ def _certified(radius: float, modes: AssemblyModes) -> AssemblyModes:
     elif modes.status != STATUS[INFINITE] and proof.real > np.sum(modes.multiplicity == 1):
         modes = _relisted(modes, completed(row, nothing()), agreed=False)
     return replace(modes, certificate=proof)
+
+
+def _are_proven(modes: AssemblyModes, proof: Certificate) -> bool:
+    """Whether just the proven modes are listed, as sharp as float64 knows them elsewhere."""
+    if modes.status == STATUS[UNDECIDED] or len(modes) != proof.real:
+        return False
+    if proof.chart != "directions":
+        return True
+    centers = proof.centers[proof.is_real].real
+    gaps = [
+        abs(modes.directions[:, np.newaxis, :2] - sign * centers).max(axis=(2, 3))
+        for sign in (1.0, -1.0)
+    ]
+    near = np.minimum(*gaps) <= proof.radii[proof.is_real] + SHARP
+    return bool(near.any(axis=0).all())
 
 
 def _relisted(modes: AssemblyModes, solved: Solved, agreed: bool) -> AssemblyModes:
