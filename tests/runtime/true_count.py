@@ -19,16 +19,17 @@ def true_count(joints: list[float], radius: float = 1.0) -> int | None:
     """Pairs ±(n_1, n_2) of exactly these float64 values; None where they stay together."""
     bits = LEAST_BITS
     while bits <= MOST_BITS:
-        with ctx.workprec(bits):
-            count = _counted(joints, radius)
-        if count is not None:
-            return count
-        bits *= 2
+        for rank in range(3):  # two modes may share the angle of one leg
+            with ctx.workprec(bits):
+                count = _counted(joints, radius, rank)
+            if count is not None:
+                return count
+        bits *= 4
     return None
 
 
-def _counted(joints: list[float], radius: float) -> int | None:
-    samples = [_eliminant(joints, radius, fmpq(2 * k, SAMPLES)) for k in range(SAMPLES)]
+def _counted(joints: list[float], radius: float, rank: int) -> int | None:
+    samples = [_eliminant(joints, radius, rank, fmpq(2 * k, SAMPLES)) for k in range(SAMPLES)]
     turns = [_turn(fmpq(-2 * k, SAMPLES)) for k in range(SAMPLES)]
     coefficients = [
         sum((value * turns[k * m % SAMPLES] for k, value in enumerate(samples)), acb(0))
@@ -49,8 +50,8 @@ def _counted(joints: list[float], radius: float) -> int | None:
     return count
 
 
-def _from_the_base(joints: list[float], radius: float) -> tuple[Vector, Vector]:
-    """The leg lengths and C, turned so that limb 1 is the one with C nearest to its plane.
+def _from_the_base(joints: list[float], radius: float, rank: int) -> tuple[Vector, Vector]:
+    """The leg lengths and C, turned so that limb 1 is the one with C nearest to its plane, or next.
 
     There modes share their directions, and not the angle of this leg.
     """
@@ -58,7 +59,7 @@ def _from_the_base(joints: list[float], radius: float) -> tuple[Vector, Vector]:
     x, y, z = q[4].cos() * q[3].cos(), q[4].cos() * q[3].sin(), q[4].sin()
     turns = [arb.sin_cos_pi_fmpq(fmpq(2 * limb, 3)) for limb in range(3)]
     away = [abs(float(radius - q[5] * (cosine * x + sine * y))) for sine, cosine in turns]
-    base = away.index(min(away))
+    base = away.index(sorted(away)[rank])
     sine, cosine = turns[base]
     c = [q[5] * (cosine * x + sine * y), q[5] * (cosine * y - sine * x), q[5] * z]
     return [q[(base + limb) % 3] for limb in range(3)], c
@@ -69,9 +70,9 @@ def _turn(half_turns: fmpq) -> acb:
     return acb(cosine, sine)
 
 
-def _eliminant(joints: list[float], radius: float, half_turns: fmpq) -> arb:
+def _eliminant(joints: list[float], radius: float, rank: int, half_turns: fmpq) -> arb:
     """The resultant of limbs 2 and 3 with B_1 at an angle, times |B_1 − C|^16."""
-    q, c, a = *_from_the_base(joints, radius), arb(radius)
+    q, c, a = *_from_the_base(joints, radius, rank), arb(radius)
     sine, cosine = arb.sin_cos_pi_fmpq(half_turns)
     n = [a - c[0], q[0] * cosine - c[1], q[0] * sine - c[2]]
     # Any vector that is not along n: the resultant does not know which.
