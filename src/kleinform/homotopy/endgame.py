@@ -40,8 +40,8 @@ ORDER = CORNERS - 2
 AGREEMENT = 1e-9
 RESIDUAL = 1e-12
 #: The mean of x_0 of an end at infinity is 0 to its rounding, long before the error that is
-#: counted on says so: below 1e-12 on some circle for all ends of the benchmark systems. The
-#: power does not tell 0 from what is small beside x_0 on both circles.
+#: counted on says so. The power does not tell 0 from what is small beside x_0 on both circles.
+#: Beside a twelvefold point rounding is more than this on small circles, and no name is found.
 VANISHING = 1e-12
 #: How far ``v`` may be from an integer.
 INTEGER = 0.1
