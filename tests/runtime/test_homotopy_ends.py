@@ -45,8 +45,8 @@ class Planted:
         return values, derivatives @ self.change
 
 
-def planted(rng: np.random.Generator) -> Planted:
-    """Some points simple, some multiple; finite, as far as 1e9, or at infinity."""
+def planted(rng: np.random.Generator, powers_of_ten: tuple[float, float] = (-9.0, -3.0)) -> Planted:
+    """Some points simple, some multiple; finite, of an x_0 of some power of ten, or at infinity."""
     n = int(rng.integers(2, 4))
     degrees = rng.integers(2, 4 if n == 3 else 6, size=n)
     orders = np.empty((2, n), dtype=int)
@@ -67,7 +67,7 @@ def planted(rng: np.random.Generator) -> Planted:
     ]
     columns = rng.normal(size=(n + 1, n + 1)) + 1j * rng.normal(size=(n + 1, n + 1))
     columns /= np.linalg.norm(columns, axis=0)
-    sizes = [0.0, 1.0, 10.0 ** rng.uniform(-9.0, -3.0)]
+    sizes = [0.0, 1.0, 10.0 ** rng.uniform(*powers_of_ten)]
     columns[0, :2] *= rng.choice(sizes, size=2)
     places = columns[:, :2].T / np.linalg.norm(columns[:, :2], axis=0)[:, np.newaxis]
     return Planted(
@@ -213,3 +213,18 @@ def test_every_name_is_true() -> None:
     # Beside a twelvefold point some paths are lost to rounding, and say so.
     assert total["lost"] <= 0.01 * total["right"]
     assert total["missed"] <= total["lost"]
+
+
+#: Such an x_0 of a multiple point falls from circle to circle as at infinity; only the mean on
+#: the smaller one tells it from 0.
+TINY = (-11.0, -9.0)
+
+
+@pytest.mark.long
+@pytest.mark.parametrize("seed", range(42, many(43, 100)))
+def test_a_tiny_x_0_is_not_infinity(seed: int) -> None:
+    """No name of a point nearly at infinity is wrong; many have none."""
+    rng = np.random.default_rng(seed)
+    system = planted(rng, TINY)
+    total = verdicts(system, solve(system, system.local.degrees, seed=seed))
+    assert {name for name in total if name.startswith("wrong")} == set()

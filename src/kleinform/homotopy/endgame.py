@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from kleinform.homotopy.tracker import SETTLED, Complex, Index, Mask, Real, Tracker, unit
 
-__all__ = ["FAR", "NEAR", "SHORT", "SINGULAR", "Ends", "endgame"]
+__all__ = ["FAR", "NEAR", "SHORT", "SINGULAR", "VANISHING", "Ends", "endgame"]
 
 #: Points, their condition, and names.
 Ends = tuple[Complex, Real, NDArray[np.str_]]
@@ -39,6 +39,10 @@ SHORT = 64
 ORDER = CORNERS - 2
 AGREEMENT = 1e-9
 RESIDUAL = 1e-12
+#: The mean of x_0 of an end at infinity is 0 to its rounding, long before the error that is
+#: counted on says so. The power does not tell 0 from what is small beside x_0 on both circles.
+#: Beside a twelvefold point rounding is more than this on small circles, and no name is found.
+VANISHING = 1e-12
 #: How far ``v`` may be from an integer.
 INTEGER = 0.1
 #: Reciprocal condition below which an end is singular. Rounding splits a double root into
@@ -164,8 +168,9 @@ def _names(
     agreed[agreed] = np.linalg.norm(values, axis=-1) <= RESIDUAL
     sharp = condition <= 1.0 / SINGULAR
     x_0 = np.abs(ends[:, 0])
+    zero = np.minimum(error, VANISHING)
     # All of the larger circle may be at infinity, to rounding: there is no power then.
-    vanishing = (x_0 <= error) & (integer | (np.exp(last.logs) <= error))
+    vanishing = (x_0 <= zero) & (integer | (np.exp(last.logs) <= zero))
     # Closer to infinity than that, a multiple end may be one or several at infinity.
     resolved = x_0 >= SINGULAR
     names = np.select(

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kleinform.homotopy import tracker as tracking
-from kleinform.homotopy.endgame import FAR, NEAR, SHORT, SINGULAR, Ends, endgame
+from kleinform.homotopy.endgame import FAR, NEAR, SHORT, SINGULAR, VANISHING, Ends, endgame
 from kleinform.homotopy.tracker import (
     PREDICTION,
     SETTLED,
@@ -41,8 +41,8 @@ class Endpoints:
           of at most 1e6, with ``|x_0|`` above its rounding error.
         - ``"singular"``: a multiple solution, or one of a continuum, with ``|x_0|`` above 1e-6.
           Solutions that are about 1e-6 apart count as one.
-        - ``"infinity"``: x_0 = 0 within its error. Where Newton's method does not converge,
-          x_0 falls along the path with a positive power of ``1 - t``.
+        - ``"infinity"``: x_0 = 0 within its error, and ``|x_0|`` is at most 1e-12. Where Newton's
+          method does not converge, x_0 falls along the path with a positive power of ``1 - t``.
         - ``"failed"``: the path was lost, or its end is none of these for certain. The point
           is where it was lost.
     condition : array (...)
@@ -116,10 +116,15 @@ def _far_ends(tracker: Tracker, starts: Complex, paths: Index) -> Ends:
 
 
 def _simple(tracker: Tracker, points: Complex, paths: Index) -> tuple[Complex, NDArray[np.str_]]:
-    """Simple ends to the last digits: finite where x_0 is more than its rounding error."""
+    """Simple ends to the last digits: finite where x_0 is more than its rounding error.
+
+    That may be as much as 1e-9 where the condition is large: x_0 is neither 0 nor finite then,
+    unless it is as small as at infinity.
+    """
     points, moved = tracker.refine(points, paths, 1.0, 3)
     _, matrices = tracker.matrices(points, paths)
     by_rounding = np.linalg.norm(np.linalg.inv(matrices)[:, 0], axis=-1)
-    finite: Mask = np.abs(points[:, 0]) > ROUNDING * EPS * by_rounding
-    names = np.where(finite, "regular", "infinity")
+    x_0 = np.abs(points[:, 0])
+    finite: Mask = x_0 > ROUNDING * EPS * by_rounding
+    names = np.select([finite, x_0 <= VANISHING], ["regular", "infinity"], default="failed")
     return points, np.where(moved <= SETTLED, names, "failed")
