@@ -158,8 +158,8 @@ class UncoupledManipulator:
         tolerance : float
             Relative: solutions that merge for some joint values ``q_j (1 ± tolerance)`` are
             one mode with its multiplicity. The default, 4 eps, makes a double root of joint
-            values that were rounded to float64 one; 0 takes the joint values as exact, as far
-            as float64 can tell.
+            values that were rounded to float64 one; 0 takes the joint values as exact: the
+            modes are those of just these numbers, or the status is ``"undecided"``.
         certify : bool
             Prove with ball arithmetic, for all joint values within the tolerance, that
             nothing is missing (extra ``certify``). The proof, or why there is none, is
