@@ -213,3 +213,17 @@ def certified(joints: np.ndarray) -> str:
 def test_with_a_certificate(family: str) -> None:
     found = searched(FAMILIES[family], 13, COUNTS[family] // 6, certified)
     assert not [verdict for verdict in found if verdict.startswith("wrong")]
+
+
+@pytest.mark.parametrize(
+    "joints",
+    [
+        np.zeros(6),
+        # q_1 = 0 with C at A_1, and C on the circle of B_1.
+        np.array([0.0, 1.0, 1.0, 0.0, 0.0, 1.0]),
+        np.array([1.0, 1.0, 1.0, 0.0, np.pi / 4.0, np.sqrt(2.0)]),
+    ],
+)
+def test_without_a_tolerance_nothing_says_that_equations_agree(joints: np.ndarray) -> None:
+    modes = ROBOT.forward_displacement(joints, tolerance=0.0)
+    assert (modes.status, len(modes)) == ("undecided", 0)

@@ -78,6 +78,7 @@ def bend_of_equations(rows: Rows) -> Array:
     return np.asarray(BEND * reach_of(rows) ** 2)
 
 
+@np.errstate(divide="ignore", invalid="ignore")
 def folds(rows: Rows, row: Integers, directions: Array, tolerance: float) -> Folds:
     """Find the fold nearest to some directions, and decide on which side of it the row is."""
     rows = rows[row]
@@ -110,15 +111,14 @@ def folds(rows: Rows, row: Integers, directions: Array, tolerance: float) -> Fol
 
 def _scaled(local: kernels.Fold, norms: Array) -> kernels.Fold:
     """The same with gradients of about unit size: C near the plane of a leg makes F_i small."""
-    with np.errstate(divide="ignore", invalid="ignore"):
-        product = norms.prod(axis=1)
-        return local._replace(
-            residual=local.residual / norms,
-            gradient=local.gradient / norms[..., np.newaxis],
-            volume=local.volume / product,
-            volume_gradient=local.volume_gradient / product[:, np.newaxis],
-            by_joints=local.by_joints / norms[..., np.newaxis],
-        )
+    product = norms.prod(axis=1)
+    return local._replace(
+        residual=local.residual / norms,
+        gradient=local.gradient / norms[..., np.newaxis],
+        volume=local.volume / product,
+        volume_gradient=local.volume_gradient / product[:, np.newaxis],
+        by_joints=local.by_joints / norms[..., np.newaxis],
+    )
 
 
 def _sharp_fold(rows: Rows, directions: Array) -> kernels.Fold:
@@ -153,9 +153,8 @@ def _toward(gradient: Array, norms: Array) -> Array:
     A limb with C near its plane then misses its equation, and the others hold.
     """
     y = np.linalg.svd(np.where(np.isfinite(gradient), gradient, 0.0))[0][:, :, 2]
-    with np.errstate(divide="ignore", invalid="ignore"):
-        toward = y * (norms.min(axis=1, keepdims=True) / norms) ** 2
-        return np.asarray(toward / np.linalg.norm(toward, axis=1, keepdims=True))
+    toward = y * (norms.min(axis=1, keepdims=True) / norms) ** 2
+    return np.asarray(toward / np.linalg.norm(toward, axis=1, keepdims=True))
 
 
 def _solved(matrix: Array, side: Array) -> Array:
@@ -167,7 +166,6 @@ def _solved(matrix: Array, side: Array) -> Array:
     return result
 
 
-@np.errstate(divide="ignore", invalid="ignore")
 def _judged(
     rows: Rows,
     local: kernels.Fold,
