@@ -23,7 +23,6 @@ Array = NDArray[np.float64]
 Integers = NDArray[np.int64]
 Mask = NDArray[np.bool_]
 
-EPS = float(np.finfo(np.float64).eps)
 STEPS = 6
 #: Newton's last step in angle when it has converged: the next one would be its square.
 CONVERGED = 1e-9
