@@ -47,12 +47,11 @@ def table(rows: int) -> dict[str, tuple[np.ndarray, np.ndarray]]:
 def picture(found: dict[str, tuple[np.ndarray, np.ndarray]], path: Path) -> None:
     """Bars of both numbers for every distribution, as SVG."""
     import matplotlib as mpl
+    from matplotlib.figure import Figure
 
-    mpl.use("svg")
-    import matplotlib.pyplot as plt
-
-    plt.rcParams.update({"svg.hashsalt": "kleinform", "font.size": 9})
-    figure, axes = plt.subplots(len(found), 1, figsize=(7, 6.5), sharex=True, layout="constrained")
+    mpl.rcParams.update({"svg.hashsalt": "kleinform", "font.size": 9})
+    figure = Figure(figsize=(7, 6.5), layout="constrained")
+    axes = figure.subplots(len(found), 1, sharex=True)
     for axis, (name, (modes, feasible)) in zip(axes, found.items(), strict=True):
         number = np.arange(22)
         axis.bar(number - 0.2, 100 * modes[:22], 0.4, label="real modes")

@@ -72,7 +72,13 @@ def real_array(name: str, value: ArrayLike, core: tuple[int, ...]) -> Array:
         wanted = "(" + ", ".join(["...", *map(str, core)]) + ")"
         hint = _helper(array.shape) if core == (3, 3) else ""
         raise ShapeError(f"{name}: shape {wanted} is needed, {array.shape} arrived{hint}")
-    return array.astype(np.float64, copy=False)
+    return as_float64(array)
+
+
+def as_float64(array: NDArray[Any]) -> Array:
+    """The numbers as float64; a signalling NaN is one, without a warning."""
+    with np.errstate(invalid="ignore"):
+        return array.astype(np.float64, copy=False)
 
 
 def _helper(shape: tuple[int, ...]) -> str:

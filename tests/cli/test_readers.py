@@ -171,6 +171,20 @@ def test_damaged_tables(run, tmp_path: Path, form: str) -> None:
     assert wrong == []
 
 
+@pytest.mark.parametrize("command", ["inverse", "classify", "singularity"])
+@pytest.mark.parametrize("width", [16, 32, 64])
+def test_a_signalling_nan(run, tmp_path: Path, command: str, width: int) -> None:
+    """Without a warning of NumPy's in degrees and of narrow arrays: a row that is refused."""
+    table = {name: column.astype(f"f{width // 8}") for name, column in random_poses(20).items()}
+    bits = {16: 0x7C01, 32: 0x7F800001, 64: 0x7FF0000000000001}[width]
+    table["yaw"].view(f"u{width // 8}")[3] = bits
+    np.savez(tmp_path / "in.npz", **table)
+    ran = run(command, "--input", "in.npz", "--degrees")
+    assert ran.code == 2
+    assert "row 3" in ran.err
+    assert "nan arrived" in ran.err
+
+
 @pytest.mark.parametrize("member", ["trailing", "negative"])
 def test_an_array_that_is_not_as_long_as_it_says(run, tmp_path: Path, member: str) -> None:
     table = random_poses(20)

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 import kleinform
-from kleinform import KleinformError, ShapeError
+from kleinform import KleinformError, NotFiniteError, ShapeError
 from tests.runtime.test_errors import CALLS, parts
 from tests.support import many
 
@@ -197,6 +197,17 @@ def test_strange_values(call: str, name: str) -> None:
             if has_mask(value) and not isinstance(found, KleinformError):
                 wrong.append(("a mask is ignored", "", repr(value)[:80]))
     assert wrong == []
+
+
+@pytest.mark.parametrize(("call", "name"), ARGUMENTS)
+@pytest.mark.parametrize("width", [16, 32, 64])
+def test_signalling_nan(call: str, name: str, width: int) -> None:
+    """A NaN that raises a flag wherever it is touched is told like any other, without a warning."""
+    array = np.array(EVERY[call][1][name], dtype=f"f{width // 8}")
+    bits = {16: 0x7C01, 32: 0x7F800001, 64: 0x7FF0000000000001}[width]
+    array.reshape(-1).view(f"u{width // 8}")[-1] = bits
+    found = outcome(call, name, array)
+    assert isinstance(found, NotFiniteError)
 
 
 def has_mask(value: Any) -> bool:

@@ -101,9 +101,11 @@ def in_radians(table: Table, degrees: bool) -> Table:
         since it may count its turns. The mask has the rows.
     """
     if degrees:
-        return {
-            name: np.radians(column) if _turns(name) else column for name, column in table.items()
-        }
+        with np.errstate(invalid="ignore"):  # of a signalling NaN, which is told later on
+            return {
+                name: np.radians(column) if _turns(name) else column
+                for name, column in table.items()
+            }
     for name in WITHIN_A_TURN:
         if name in table:
             _reject_beyond_a_turn(name, table[name])

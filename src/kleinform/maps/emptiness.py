@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 
 ROUNDING = 1e-9
 #: Boxes that are looked at together, at most: what needs more is not known to be empty.
-MOST_BOXES = 100_000
+MOST_BOXES = 1_000_000
 CORNERS = np.array(list(product((-0.5, 0.5), repeat=3)))
 #: In this order ends are left out on trial: last those that bound the workspace.
 ENDS = (

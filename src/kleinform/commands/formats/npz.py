@@ -18,6 +18,7 @@ import numpy as np
 from kleinform.commands.columns import Array, Table
 from kleinform.commands.source import ROWS, Block, numbered, shown
 from kleinform.errors import InputError
+from kleinform.screening import as_float64
 
 __all__ = ["NpzSource", "npz_writer"]
 
@@ -83,7 +84,7 @@ class Member:
         size = count * self._dtype.itemsize
         try:
             data = self._stream.read(size)
-            return np.frombuffer(data, self._dtype, count).astype(np.float64)
+            return as_float64(np.frombuffer(data, self._dtype, count))
         except BROKEN as error:
             raise InputError(f"{self._source}: {self.name}: cut off: {error}") from None
 
