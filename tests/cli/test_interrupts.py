@@ -41,7 +41,15 @@ def interrupted(way: str, at: int, folder: Path) -> subprocess.CompletedProcess[
     (folder / "sitecustomize.py").write_text(SITE)
     environment = {**os.environ, "PYTHONPATH": str(folder), "INTERRUPTED_AT": str(at)}
     command = [*WAYS[way], *POSE]
-    return subprocess.run(command, capture_output=True, check=False, text=True, env=environment)
+    return subprocess.run(
+        command,
+        capture_output=True,
+        check=False,
+        text=True,
+        env=environment,
+        # Tests that run in the background of a shell ignore it, and so would the command.
+        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+    )
 
 
 @pytest.mark.long
