@@ -37,6 +37,11 @@ WAYS = {"module": [sys.executable, "-m", "kleinform"], "script": [str(SCRIPT)]}
 POSE = ("inverse", "--position", "0.25", "0.2", "1.0", "--rpy", "0.1", "0.2", "0.3")
 
 
+def heed_interrupts() -> None:
+    """Tests that run in the background of a shell ignore them, and so would what they start."""
+    signal.signal(signal.SIGINT, signal.SIG_DFL)
+
+
 def interrupted(way: str, at: int, folder: Path) -> subprocess.CompletedProcess[str]:
     (folder / "sitecustomize.py").write_text(SITE)
     environment = {**os.environ, "PYTHONPATH": str(folder), "INTERRUPTED_AT": str(at)}
@@ -47,8 +52,7 @@ def interrupted(way: str, at: int, folder: Path) -> subprocess.CompletedProcess[
         check=False,
         text=True,
         env=environment,
-        # Tests that run in the background of a shell ignore it, and so would the command.
-        preexec_fn=lambda: signal.signal(signal.SIGINT, signal.SIG_DFL),
+        preexec_fn=heed_interrupts,
     )
 
 
@@ -83,5 +87,8 @@ def test_an_ignored_interrupt_stays_ignored(tmp_path: Path) -> None:
 
 def test_a_program_that_imports_kleinform_keeps_its_handler() -> None:
     code = "import signal, kleinform, kleinform.cli; print(signal.getsignal(signal.SIGINT))"
-    ran = subprocess.run([sys.executable, "-c", code], capture_output=True, check=True, text=True)
+    command = [sys.executable, "-c", code]
+    ran = subprocess.run(
+        command, capture_output=True, check=True, text=True, preexec_fn=heed_interrupts
+    )
     assert ran.stdout == f"{signal.default_int_handler}\n"
